@@ -1,0 +1,31 @@
+//! A direction as its cosine and sine.
+
+use crate::number::Real;
+
+/// A direction by the cosine and sine of its angle θ from the axis.
+///
+/// Near the axis the sine, near the horizon the cosine holds the digits that an angle beside
+/// ±π/2 has lost; together they keep full relative accuracy everywhere. Operations that read a
+/// pair take the direction from the smaller of |cos| and |sin| unless they say otherwise.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CosSin<T> {
+    /// cos θ.
+    pub cos: T,
+    /// sin θ; negative for θ < 0, which only planar laws know.
+    pub sin: T,
+}
+
+impl<T: Real> CosSin<T> {
+    /// √(x² + y²) without overflow or underflow on the way. Error < 2 ulp.
+    pub(crate) fn hypot(x: T, y: T) -> T {
+        let (x, y) = (x.abs(), y.abs());
+        let (large, small) = if x > y { (x, y) } else { (y, x) };
+        if large == T::ZERO || !(large < T::INFINITY) {
+            return large + small;
+        }
+        let ratio = small / large;
+        large * (T::ONE + ratio * ratio).sqrt()
+    }
+}

@@ -1,0 +1,48 @@
+//! The constants and coefficients that a float format brings to the kernels.
+
+use super::pair::Pair;
+use crate::Moments;
+
+/// A power series whose leading coefficients are kept as pairs.
+pub struct Series<T: 'static> {
+    pub(crate) head: &'static [Pair<T>],
+    pub(crate) tail: &'static [T],
+}
+
+/// One value per format; `table_f32.rs` and `table_f64.rs` say what each field approximates.
+pub struct Table<T: 'static> {
+    pub(crate) half_pi: Pair<T>,
+    pub(crate) two_pi: Pair<T>,
+    pub(crate) pi: Pair<T>,
+    pub(crate) recip_pi: Pair<T>,
+    pub(crate) two_over_pi: Pair<T>,
+    pub(crate) recip_two_pi: Pair<T>,
+    pub(crate) twelve_pi: Pair<T>,
+    pub(crate) three_over_two_pi: Pair<T>,
+    pub(crate) two_over_three_pi: Pair<T>,
+    pub(crate) ln_2: Pair<T>,
+    pub(crate) ln_two_pi: Pair<T>,
+    pub(crate) ln_pi: Pair<T>,
+    pub(crate) ln_two_over_pi: Pair<T>,
+    pub(crate) ln_three_over_two_pi: Pair<T>,
+    pub(crate) disk_moments: Moments<T>,
+    pub(crate) circle_shell_moments: Moments<T>,
+    pub(crate) circle_arc_moments: Moments<T>,
+    pub(crate) ball_moments: Moments<T>,
+    pub(crate) sphere_shell_moments: Moments<T>,
+    pub(crate) lambert_moments: Moments<T>,
+    pub(crate) sin: &'static [T],
+    pub(crate) cos: &'static [T],
+    pub(crate) sin_turn: &'static [T],
+    pub(crate) cos_turn: &'static [T],
+    pub(crate) kepler_tail: &'static [T],
+    pub(crate) kepler_centre: &'static [T],
+    pub(crate) disk_tail: &'static [T],
+    pub(crate) disk_tail_of_cos: &'static [T],
+    pub(crate) disk_centre_of_sin: &'static [T],
+    pub(crate) cosine_integral: &'static [T],
+    pub(crate) angle_integral: &'static [T],
+    pub(crate) sin_series: Series<T>,
+    pub(crate) cos_series: Series<T>,
+    pub(crate) atanh_series: Series<T>,
+}

@@ -1,0 +1,112 @@
+//! Uniform by volume in a ball.
+
+use super::{Law, Spatial};
+use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::kernel::trig::at_angle;
+use crate::number::Real;
+use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use rand_core::Rng;
+
+/// Direction of a point uniform **by volume** in a ball tangent to the origin (paper 4.1).
+///
+/// A ray at θ from +y leaves the ball of radius ρ about (0, ρ, 0) at r = 2ρ cos θ, so
+/// ∫₀^{2ρ cos θ} r² dr / (4πρ³/3) gives the density
+///
+/// > 2 cos³θ / π per steradian; q = 2 cos³θ sin θ / π per dθ dφ, θ ∈ \[0, π/2\]
+///
+/// and cdf 1 − cos⁴θ. As a sampler for a Lambert reflector its weight 1/(2 cos²θ) has infinite
+/// variance: see [`Law::lambert_weight`].
+///
+/// ```
+/// use coslobe::{Ball, Law};
+/// let at = Ball.warp_sf(1e-8f64); // one direction in 10⁸ lies nearer to the horizon
+/// assert!((at.cos - 0.01).abs() < 1e-17);
+/// ```
+#[doc(alias = "normalized ball")]
+#[doc(alias = "cosine cubed")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ball;
+
+impl Ball {
+    /// [`Spatial::sample`], callable whatever traits are in scope.
+    #[inline]
+    pub fn sample<T: Real, R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
+        Spatial::sample(self, rng)
+    }
+}
+
+impl<T: Real> Law<T> for Ball {
+    #[inline]
+    fn pdf(&self, theta: T) -> T {
+        let at = at_angle(theta);
+        let p = at.cos.times(at.cos).times(at.cos.times(at.sin));
+        within(
+            theta,
+            spatial(theta),
+            p.times(T::TABLE.two_over_pi).value(),
+            T::ZERO,
+        )
+    }
+
+    #[inline]
+    fn ln_pdf(&self, theta: T) -> T {
+        let at = at_angle(theta);
+        let p = T::TABLE.ln_two_over_pi.hi + at.ln_cos() * T::int(3) + at.sin.value().ln();
+        within(theta, spatial(theta), p, -T::INFINITY)
+    }
+
+    #[inline]
+    fn tails(&self, theta: T) -> Tails<T> {
+        let at = at_angle(theta);
+        let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
+        let lower = s2.value() * (T::ONE + c2.value());
+        spatial_tails(theta, Tails::from_both(lower, c2.times(c2).value()))
+    }
+
+    #[inline]
+    fn density(&self, at: CosSin<T>) -> T {
+        let p = at.cos * at.cos * at.cos * T::TABLE.two_over_pi.hi;
+        spatial_pair(at, p)
+    }
+
+    #[inline]
+    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+        let cos_squared = p.upper().sqrt();
+        CosSin {
+            cos: cos_squared.sqrt(),
+            sin: (p.lower() / (T::ONE + cos_squared)).sqrt(),
+        }
+    }
+
+    #[inline]
+    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+        let c2 = at.cos * at.cos;
+        let lower = at.sin * at.sin * (T::ONE + c2);
+        spatial_pair_tails(at, Tails::from_both(lower, c2 * c2))
+    }
+
+    #[inline]
+    fn lambert_weight(&self, at: CosSin<T>) -> T {
+        spatial_pair(at, T::HALF / (at.cos * at.cos))
+    }
+
+    #[inline]
+    fn moments(&self) -> Moments<T> {
+        T::TABLE.ball_moments
+    }
+}
+
+impl<T: Real> Tangent<T> for Ball {
+    const MEASURE: Measure = Measure::Volume;
+}
+
+impl<T: Real> Spatial<T> for Ball {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        let c = at_angle(theta).cos;
+        let p = c.times(c).times(c.times(T::TABLE.two_over_pi)).value();
+        within(theta, spatial(theta), p, T::ZERO)
+    }
+}

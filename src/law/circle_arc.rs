@@ -1,0 +1,107 @@
+//! Uniform by arc length on a circle.
+
+use super::{Law, Planar};
+use crate::kernel::select::{planar, planar_pair, within};
+use crate::kernel::trig::{from_end, into_support};
+use crate::kernel::turn::half_turn;
+use crate::number::Real;
+use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use rand_core::Rng;
+
+/// Direction of a point uniform **by arc length** on a circle tangent to the origin.
+///
+/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal angles:
+///
+/// > p(θ) = 1/π per radian, θ ∈ \[−π/2, π/2\]
+///
+/// with cdf ½ + θ/π. This is what "uniform on the circle" gives; the paper's section 3.2 measures a
+/// radial shell instead and finds cos θ / 2, see [`CircleShell`](crate::CircleShell).
+///
+/// ```
+/// use coslobe::{CircleArc, Law};
+/// let at = CircleArc.warp(1e-20f64); // 1e-20 of a half turn from −90°
+/// assert!((at.cos / (std::f64::consts::PI * 1e-20) - 1.0).abs() < 1e-15);
+/// ```
+#[doc(alias = "uniform angle")]
+#[doc(alias = "inscribed angle")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CircleArc;
+
+impl CircleArc {
+    /// [`Planar::sample`], callable whatever traits are in scope.
+    #[inline]
+    pub fn sample<T: Real, R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
+        Planar::sample(self, rng)
+    }
+}
+
+impl<T: Real> Law<T> for CircleArc {
+    #[inline]
+    fn pdf(&self, theta: T) -> T {
+        within(theta, planar(theta), T::TABLE.recip_pi.hi, T::ZERO)
+    }
+
+    #[inline]
+    fn ln_pdf(&self, theta: T) -> T {
+        within(theta, planar(theta), -T::TABLE.ln_pi.hi, -T::INFINITY)
+    }
+
+    #[inline]
+    fn tails(&self, theta: T) -> Tails<T> {
+        let p = from_end(theta.abs()).times(T::TABLE.recip_pi).value();
+        let p = within(theta, planar(theta), p, T::ZERO);
+        Tails::from_nearer(p, theta > T::ZERO)
+    }
+
+    #[inline]
+    fn density(&self, at: CosSin<T>) -> T {
+        planar_pair(at, T::TABLE.recip_pi.hi)
+    }
+
+    #[inline]
+    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+        let (p, is_upper) = p.nearer();
+        let CosSin { cos, sin } = half_turn(p);
+        CosSin {
+            cos,
+            sin: if is_upper { sin } else { -sin },
+        }
+    }
+
+    #[inline]
+    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+        let (sin, recip_pi) = (at.sin.abs(), T::TABLE.recip_pi.hi);
+        let p = if at.cos <= sin {
+            at.cos.atan2(sin) * recip_pi
+        } else {
+            T::HALF - sin.atan2(at.cos) * recip_pi
+        };
+        Tails::from_nearer(planar_pair(at, p), at.sin > T::ZERO)
+    }
+
+    #[inline]
+    fn quantile_tails(&self, p: Tails<T>) -> T {
+        let (p, is_upper) = p.nearer();
+        let d = T::HALF - p;
+        let theta = into_support(d * T::TABLE.pi.hi + d * T::TABLE.pi.lo);
+        if is_upper { theta } else { -theta }
+    }
+
+    #[inline]
+    fn lambert_weight(&self, at: CosSin<T>) -> T {
+        planar_pair(at, T::TABLE.half_pi.hi * at.cos)
+    }
+
+    #[inline]
+    fn moments(&self) -> Moments<T> {
+        T::TABLE.circle_arc_moments
+    }
+}
+
+impl<T: Real> Tangent<T> for CircleArc {
+    const MEASURE: Measure = Measure::ArcLength;
+}
+
+impl<T: Real> Planar<T> for CircleArc {}

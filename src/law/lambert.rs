@@ -1,0 +1,104 @@
+//! Uniform by area on a sphere: Lambert's cosine law.
+
+use super::{Law, Spatial};
+use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::kernel::trig::at_angle;
+use crate::number::Real;
+use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use rand_core::Rng;
+
+/// Direction of a point uniform **by surface area** on a sphere tangent to the origin: Lambert's law.
+///
+/// The surface element of r = 2ρ cos θ is r √(r² + r′²) sin θ dθ dφ = 4ρ² cos θ sin θ dθ dφ, of 4πρ²
+/// in all:
+///
+/// > cos θ / π per steradian; q = cos θ sin θ / π per dθ dφ, θ ∈ \[0, π/2\]
+///
+/// with cdf sin²θ. Also exported as [`SphereArea`](crate::SphereArea), the name that says its measure.
+/// The paper's section 4.2 sets out to find this law but measures a radial shell, which gives
+/// [`SphereShell`](crate::SphereShell). Its weight for a Lambert reflector is 1: zero variance under a
+/// constant sky.
+///
+/// ```
+/// use coslobe::{Lambert, Law, Spatial, SphereArea};
+/// assert_eq!(Lambert.warp(0.25f64).sin, 0.5);
+/// assert_eq!(SphereArea.pdf_solid_angle(0.0), std::f64::consts::FRAC_1_PI);
+/// ```
+#[doc(alias = "cosine-weighted hemisphere")]
+#[doc(alias = "cosine hemisphere")]
+#[doc(alias = "uniform sphere surface")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Lambert;
+
+impl Lambert {
+    /// [`Spatial::sample`], callable whatever traits are in scope.
+    #[inline]
+    pub fn sample<T: Real, R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
+        Spatial::sample(self, rng)
+    }
+}
+
+impl<T: Real> Law<T> for Lambert {
+    #[inline]
+    fn pdf(&self, theta: T) -> T {
+        let at = at_angle(theta);
+        let p = at.cos.times(at.sin).times(T::TABLE.recip_pi).value();
+        within(theta, spatial(theta), p, T::ZERO)
+    }
+
+    #[inline]
+    fn ln_pdf(&self, theta: T) -> T {
+        let at = at_angle(theta);
+        let p = at.ln_cos() - T::TABLE.ln_pi.hi + at.sin.value().ln();
+        within(theta, spatial(theta), p, -T::INFINITY)
+    }
+
+    #[inline]
+    fn tails(&self, theta: T) -> Tails<T> {
+        let at = at_angle(theta);
+        let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
+        spatial_tails(theta, Tails::from_both(s2.value(), c2.value()))
+    }
+
+    #[inline]
+    fn density(&self, at: CosSin<T>) -> T {
+        spatial_pair(at, at.cos * T::TABLE.recip_pi.hi)
+    }
+
+    #[inline]
+    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+        CosSin {
+            cos: p.upper().sqrt(),
+            sin: p.lower().sqrt(),
+        }
+    }
+
+    #[inline]
+    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+        spatial_pair_tails(at, Tails::from_both(at.sin * at.sin, at.cos * at.cos))
+    }
+
+    #[inline]
+    fn lambert_weight(&self, at: CosSin<T>) -> T {
+        spatial_pair(at, T::ONE)
+    }
+
+    #[inline]
+    fn moments(&self) -> Moments<T> {
+        T::TABLE.lambert_moments
+    }
+}
+
+impl<T: Real> Tangent<T> for Lambert {
+    const MEASURE: Measure = Measure::SurfaceArea;
+}
+
+impl<T: Real> Spatial<T> for Lambert {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        let p = at_angle(theta).cos.times(T::TABLE.recip_pi).value();
+        within(theta, spatial(theta), p, T::ZERO)
+    }
+}

@@ -1,0 +1,121 @@
+//! Uniform by radial thickness on a sphere: the paper's sphere.
+
+use super::{Law, Spatial};
+use crate::kernel::cbrt::cbrt_times;
+use crate::kernel::pair::Pair;
+use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::kernel::trig::at_angle;
+use crate::number::Real;
+use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use rand_core::Rng;
+
+/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2, "sphere").
+///
+/// The shell has constant thickness along the ray, not across the surface: the paper's measure is
+/// δ(r − 2ρ cos θ) r² sin θ dr dθ dφ, whose mass 8πρ²/3 gives the density
+///
+/// > 3 cos²θ / (2π) per steradian; q = 3 cos²θ sin θ / (2π) per dθ dφ, θ ∈ \[0, π/2\]
+///
+/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law instead:
+/// the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here, ⅔ there.
+///
+/// ```
+/// use coslobe::{Law, SphereShell};
+/// let at = SphereShell.warp_sf(0.125f32);
+/// assert_eq!(at.cos, 0.5);
+/// ```
+#[doc(alias = "sphere")]
+#[doc(alias = "normalized sphere")]
+#[doc(alias = "cosine squared")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SphereShell;
+
+impl SphereShell {
+    /// [`Spatial::sample`], callable whatever traits are in scope.
+    #[inline]
+    pub fn sample<T: Real, R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
+        Spatial::sample(self, rng)
+    }
+}
+
+impl<T: Real> Law<T> for SphereShell {
+    #[inline]
+    fn pdf(&self, theta: T) -> T {
+        let at = at_angle(theta);
+        let p = at.cos.times(at.sin).times(at.cos);
+        within(
+            theta,
+            spatial(theta),
+            p.times(T::TABLE.three_over_two_pi).value(),
+            T::ZERO,
+        )
+    }
+
+    #[inline]
+    fn ln_pdf(&self, theta: T) -> T {
+        let at = at_angle(theta);
+        let p = T::TABLE.ln_three_over_two_pi.hi + at.ln_cos() * T::int(2) + at.sin.value().ln();
+        within(theta, spatial(theta), p, -T::INFINITY)
+    }
+
+    #[inline]
+    fn tails(&self, theta: T) -> Tails<T> {
+        let at = at_angle(theta);
+        let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
+        let lower = lower_tail(at.cos.value(), s2.value());
+        spatial_tails(theta, Tails::from_both(lower, c2.times(at.cos).value()))
+    }
+
+    #[inline]
+    fn density(&self, at: CosSin<T>) -> T {
+        let p = at.cos * at.cos * T::TABLE.three_over_two_pi.hi;
+        spatial_pair(at, p)
+    }
+
+    #[inline]
+    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+        let cos = cbrt_times(Pair::exact(T::ONE), p.upper());
+        let ratio = (T::ONE + cos) / (T::ONE + cos + cos * cos);
+        CosSin {
+            cos,
+            sin: (p.lower() * ratio).sqrt(),
+        }
+    }
+
+    #[inline]
+    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+        let lower = lower_tail(at.cos, at.sin * at.sin);
+        spatial_pair_tails(at, Tails::from_both(lower, at.cos * at.cos * at.cos))
+    }
+
+    #[inline]
+    fn lambert_weight(&self, at: CosSin<T>) -> T {
+        spatial_pair(at, T::int(2) / (T::int(3) * at.cos.abs()))
+    }
+
+    #[inline]
+    fn moments(&self) -> Moments<T> {
+        T::TABLE.sphere_shell_moments
+    }
+}
+
+impl<T: Real> Tangent<T> for SphereShell {
+    const MEASURE: Measure = Measure::SphereShell;
+}
+
+impl<T: Real> Spatial<T> for SphereShell {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        let c = at_angle(theta).cos;
+        let p = c.times(c).times(T::TABLE.three_over_two_pi).value();
+        within(theta, spatial(theta), p, T::ZERO)
+    }
+}
+
+/// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.
+#[inline(always)]
+fn lower_tail<T: Real>(cos: T, sin_squared: T) -> T {
+    sin_squared * (T::ONE + cos + cos * cos) / (T::ONE + cos)
+}

@@ -1,0 +1,18 @@
+//! Exact moments, for checking estimators.
+
+/// Exact moments of a law, correctly rounded for the six fixed laws.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Moments<T> {
+    /// E\[cos θ\].
+    pub mean_cos: T,
+    /// Var\[cos θ\].
+    pub var_cos: T,
+    /// E\[θ\] in radians; 0 for planar laws.
+    pub mean_theta: T,
+    /// Var\[θ\] in rad².
+    pub var_theta: T,
+    /// Differential entropy −E\[ln p\] in nats, p per radian (2D) or per steradian (3D).
+    pub entropy: T,
+}

@@ -1,0 +1,161 @@
+//! `f32`: native single precision; no operation touches `f64`.
+
+use super::Real;
+use super::kernel::Kernel;
+use crate::kernel::table::Table;
+use crate::kernel::table_f32::TABLE;
+use crate::kernel::turn::at_quadrant;
+use crate::{CosSin, Tails};
+use rand_core::Rng;
+
+const fn power_of_two(n: i32) -> f32 {
+    f32::from_bits(((127 + n) as u32) << 23)
+}
+
+impl Real for f32 {}
+
+impl Kernel for f32 {
+    const TABLE: Table<f32> = TABLE;
+    const ZERO: f32 = 0.0;
+    const QUARTER: f32 = 0.25;
+    const HALF: f32 = 0.5;
+    const ONE: f32 = 1.0;
+    const INFINITY: f32 = f32::INFINITY;
+    const NAN: f32 = f32::NAN;
+    const MIN_NORMAL: f32 = f32::MIN_POSITIVE;
+    const MAX: f32 = f32::MAX;
+    // FRAC_PI_2 as f32 lies 4.4e-8 beyond π/2.
+    const HALF_PI_DOWN: f32 = f32::from_bits(core::f32::consts::FRAC_PI_2.to_bits() - 1);
+    const NEGLIGIBLE: f32 = power_of_two(-18);
+    const CBRT_TINY: f32 = power_of_two(-100);
+    const CBRT_UP: f32 = power_of_two(60);
+    const CBRT_DOWN: f32 = power_of_two(-20);
+    const CBRT_STEPS: usize = 1;
+
+    type TailBits = u64;
+    type TurnBits = u32;
+
+    #[inline]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
+        rng.next_u64()
+    }
+
+    #[inline]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
+        rng.next_u32()
+    }
+
+    #[inline]
+    fn tails_of(bits: u64) -> Tails<f32> {
+        // Odd, so never zero; the conversion rounds to nearest, so ½ is reached and not passed.
+        let p = ((bits << 1) | 1) as f32 * power_of_two(-65);
+        Tails::from_nearer(p, bits >> 63 != 0)
+    }
+
+    #[inline]
+    fn turn_of(bits: u32) -> CosSin<f32> {
+        let quadrant = bits.wrapping_add(1 << 29) >> 30;
+        let rest = bits.wrapping_sub(quadrant << 30) as i32;
+        at_quadrant(quadrant, (2 * rest + 1) as f32 * power_of_two(-33))
+    }
+
+    #[inline(always)]
+    fn int(n: i16) -> f32 {
+        f32::from(n)
+    }
+
+    #[inline(always)]
+    fn to_u32(self) -> u32 {
+        self as u32
+    }
+
+    #[inline(always)]
+    fn to_i32(self) -> i32 {
+        self as i32
+    }
+
+    #[inline(always)]
+    fn of_i32(n: i32) -> f32 {
+        n as f32
+    }
+
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        f32::is_nan(self)
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        f32::is_finite(self)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> f32 {
+        f32::abs(self)
+    }
+
+    #[inline(always)]
+    fn copysign(self, sign: f32) -> f32 {
+        f32::copysign(self, sign)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f32 {
+        libm::sqrtf(self)
+    }
+
+    #[inline]
+    fn ln(self) -> f32 {
+        libm::logf(self)
+    }
+
+    #[inline]
+    fn ln_1p(self) -> f32 {
+        libm::log1pf(self)
+    }
+
+    #[inline]
+    fn exp(self) -> f32 {
+        libm::expf(self)
+    }
+
+    #[inline]
+    fn exp_m1(self) -> f32 {
+        libm::expm1f(self)
+    }
+
+    #[inline]
+    fn atan2(self, x: f32) -> f32 {
+        libm::atan2f(self, x)
+    }
+
+    #[inline]
+    fn scale(self, n: i32) -> f32 {
+        libm::scalbnf(self, n)
+    }
+
+    #[inline]
+    fn split(self) -> (f32, i32) {
+        let tiny = self < f32::MIN_POSITIVE;
+        let x = if tiny { self * power_of_two(24) } else { self };
+        let shift = if tiny { -24 } else { 0 };
+        // Exponent of x/√½, so that the significand runs from √½ to √2.
+        let e = (x
+            .to_bits()
+            .wrapping_sub(core::f32::consts::FRAC_1_SQRT_2.to_bits()) as i32)
+            >> 23;
+        let m = f32::from_bits(x.to_bits().wrapping_sub((e << 23) as u32));
+        (m, e + shift)
+    }
+
+    #[inline(always)]
+    fn leading_half(self) -> f32 {
+        f32::from_bits(self.to_bits() & !0xFFF)
+    }
+
+    #[inline(always)]
+    fn cbrt_guess(self) -> f32 {
+        // Divides the exponent by 3; the constant restores the bias and centres the error.
+        f32::from_bits(self.to_bits() / 3 + 0x2A51_19F2)
+    }
+}

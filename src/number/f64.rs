@@ -1,0 +1,162 @@
+//! `f64`: native double precision.
+
+use super::Real;
+use super::kernel::Kernel;
+use crate::kernel::table::Table;
+use crate::kernel::table_f64::TABLE;
+use crate::kernel::turn::at_quadrant;
+use crate::{CosSin, Tails};
+use rand_core::Rng;
+
+const fn power_of_two(n: i32) -> f64 {
+    f64::from_bits(((1023 + n) as u64) << 52)
+}
+
+impl Real for f64 {}
+
+impl Kernel for f64 {
+    const TABLE: Table<f64> = TABLE;
+    const ZERO: f64 = 0.0;
+    const QUARTER: f64 = 0.25;
+    const HALF: f64 = 0.5;
+    const ONE: f64 = 1.0;
+    const INFINITY: f64 = f64::INFINITY;
+    const NAN: f64 = f64::NAN;
+    const MIN_NORMAL: f64 = f64::MIN_POSITIVE;
+    const MAX: f64 = f64::MAX;
+    // FRAC_PI_2 as f64 lies 6.1e-17 inside π/2.
+    const HALF_PI_DOWN: f64 = core::f64::consts::FRAC_PI_2;
+    const NEGLIGIBLE: f64 = power_of_two(-34);
+    const CBRT_TINY: f64 = power_of_two(-900);
+    const CBRT_UP: f64 = power_of_two(300);
+    const CBRT_DOWN: f64 = power_of_two(-100);
+    const CBRT_STEPS: usize = 2;
+
+    type TailBits = u128;
+    type TurnBits = u64;
+
+    #[inline]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u128 {
+        let high = u128::from(rng.next_u64());
+        (high << 64) | u128::from(rng.next_u64())
+    }
+
+    #[inline]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
+        rng.next_u64()
+    }
+
+    #[inline]
+    fn tails_of(bits: u128) -> Tails<f64> {
+        // Odd, so never zero; the conversion rounds to nearest, so ½ is reached and not passed.
+        let p = ((bits << 1) | 1) as f64 * power_of_two(-129);
+        Tails::from_nearer(p, bits >> 127 != 0)
+    }
+
+    #[inline]
+    fn turn_of(bits: u64) -> CosSin<f64> {
+        let quadrant = bits.wrapping_add(1 << 61) >> 62;
+        let rest = bits.wrapping_sub(quadrant << 62) as i64;
+        at_quadrant(quadrant as u32, (2 * rest + 1) as f64 * power_of_two(-65))
+    }
+
+    #[inline(always)]
+    fn int(n: i16) -> f64 {
+        f64::from(n)
+    }
+
+    #[inline(always)]
+    fn to_u32(self) -> u32 {
+        self as u32
+    }
+
+    #[inline(always)]
+    fn to_i32(self) -> i32 {
+        self as i32
+    }
+
+    #[inline(always)]
+    fn of_i32(n: i32) -> f64 {
+        f64::from(n)
+    }
+
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        f64::is_nan(self)
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        f64::is_finite(self)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+
+    #[inline(always)]
+    fn copysign(self, sign: f64) -> f64 {
+        f64::copysign(self, sign)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        libm::sqrt(self)
+    }
+
+    #[inline]
+    fn ln(self) -> f64 {
+        libm::log(self)
+    }
+
+    #[inline]
+    fn ln_1p(self) -> f64 {
+        libm::log1p(self)
+    }
+
+    #[inline]
+    fn exp(self) -> f64 {
+        libm::exp(self)
+    }
+
+    #[inline]
+    fn exp_m1(self) -> f64 {
+        libm::expm1(self)
+    }
+
+    #[inline]
+    fn atan2(self, x: f64) -> f64 {
+        libm::atan2(self, x)
+    }
+
+    #[inline]
+    fn scale(self, n: i32) -> f64 {
+        libm::scalbn(self, n)
+    }
+
+    #[inline]
+    fn split(self) -> (f64, i32) {
+        let tiny = self < f64::MIN_POSITIVE;
+        let x = if tiny { self * power_of_two(53) } else { self };
+        let shift = if tiny { -53 } else { 0 };
+        // Exponent of x/√½, so that the significand runs from √½ to √2.
+        let e = (x
+            .to_bits()
+            .wrapping_sub(core::f64::consts::FRAC_1_SQRT_2.to_bits()) as i64)
+            >> 52;
+        let m = f64::from_bits(x.to_bits().wrapping_sub((e << 52) as u64));
+        (m, e as i32 + shift)
+    }
+
+    #[inline(always)]
+    fn leading_half(self) -> f64 {
+        f64::from_bits(self.to_bits() & !0x7FF_FFFF)
+    }
+
+    #[inline(always)]
+    fn cbrt_guess(self) -> f64 {
+        // Divides the exponent by 3; the constant restores the bias and centres the error.
+        f64::from_bits(self.to_bits() / 3 + (715_094_163 << 32))
+    }
+}

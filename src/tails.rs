@@ -1,0 +1,95 @@
+//! A probability held as both its tails.
+
+use crate::number::Real;
+
+/// A probability as the pair (cdf, sf), each to full relative accuracy.
+///
+/// Neither is ever formed as 1 minus a rounded other one, so both ends of a law are reached
+/// with all digits. The nearer tail (the smaller) is exact, the other is 1 minus it, rounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tails<T> {
+    lower: T,
+    upper: T,
+}
+
+impl<T: Real> Tails<T> {
+    /// The tails at cdf = `u`; NaN for `u` outside \[0, 1\].
+    #[inline]
+    pub fn from_lower(u: T) -> Self {
+        let lower = domain(u);
+        Tails {
+            lower,
+            upper: T::ONE - lower,
+        }
+    }
+
+    /// The tails at sf = `q`; NaN for `q` outside \[0, 1\].
+    #[inline]
+    pub fn from_upper(q: T) -> Self {
+        let upper = domain(q);
+        Tails {
+            lower: T::ONE - upper,
+            upper,
+        }
+    }
+
+    /// Nearer tail `p` ≤ ½, on the upper side or the lower.
+    #[inline(always)]
+    pub(crate) fn from_nearer(p: T, is_upper: bool) -> Self {
+        let rest = T::ONE - p;
+        if is_upper {
+            Tails {
+                lower: rest,
+                upper: p,
+            }
+        } else {
+            Tails {
+                lower: p,
+                upper: rest,
+            }
+        }
+    }
+
+    /// From both tails as computed apart from each other: keeps the nearer one.
+    #[inline(always)]
+    pub(crate) fn from_both(lower: T, upper: T) -> Self {
+        if upper <= lower {
+            Self::from_nearer(upper, true)
+        } else {
+            Self::from_nearer(lower, false)
+        }
+    }
+
+    /// Probability below: the cdf.
+    #[inline(always)]
+    pub fn lower(self) -> T {
+        self.lower
+    }
+
+    /// Probability above: the survival function.
+    #[inline(always)]
+    pub fn upper(self) -> T {
+        self.upper
+    }
+
+    /// The smaller tail, and whether it is the upper one (as for equal tails).
+    #[inline(always)]
+    pub(crate) fn nearer(self) -> (T, bool) {
+        if self.upper <= self.lower {
+            (self.upper, true)
+        } else {
+            (self.lower, false)
+        }
+    }
+}
+
+/// `p` with −0 as +0, NaN outside \[0, 1\].
+#[inline(always)]
+fn domain<T: Real>(p: T) -> T {
+    if p >= T::ZERO && p <= T::ONE {
+        p.abs()
+    } else {
+        T::NAN
+    }
+}

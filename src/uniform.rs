@@ -1,0 +1,60 @@
+//! Uniform numbers of full precision from a generator's words.
+//!
+//! The usual `(word >> 40) · 2⁻²⁴` has 2²⁴ values, the least above zero being 6·10⁻⁸: no tail
+//! beyond it is ever sampled. Here a probability is drawn as its nearer tail p and a side.
+//!
+//! | type | words (bits) | p lies on the odd multiples of | p from | rounding to the format |
+//! |---|---|---|---|---|
+//! | `f32` | one `next_u64` (64) | 2⁻⁶⁵ | 2⁻⁶⁵ to ½ | to nearest; exact below 2⁻⁴¹ |
+//! | `f64` | two `next_u64` (128) | 2⁻¹²⁹ | 2⁻¹²⁹ to ½ | to nearest; exact below 2⁻⁷⁶ |
+//!
+//! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
+//! those words, always the same number of them.
+
+use crate::number::Real;
+use crate::number::kernel::Kernel;
+use crate::{CosSin, Tails};
+use rand_core::Rng;
+
+/// The random bits behind one [`Tails`]: `u64` for `f32`, `u128` for `f64`.
+pub type TailBits<T> = <T as Kernel>::TailBits;
+
+/// The random bits behind one azimuth: `u32` for `f32`, `u64` for `f64`.
+pub type TurnBits<T> = <T as Kernel>::TurnBits;
+
+/// A uniform probability as both its tails. The top bit chooses the nearer tail's side.
+///
+/// ```
+/// let stuck = coslobe::uniform::tails_from_bits::<f32>(0);
+/// assert_eq!(stuck.lower(), 0.5f32.powi(65)); // the deepest tail, not zero
+/// ```
+#[inline]
+pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
+    T::tails_of(bits)
+}
+
+/// (cos φ, sin φ) of a uniform azimuth: the word n stands for n + ½ parts of the whole turn.
+///
+/// Never exactly on an axis or a diagonal; each component within 1 ulp (see the accuracy table).
+#[inline]
+pub fn azimuth_from_bits<T: Real>(bits: TurnBits<T>) -> CosSin<T> {
+    T::turn_of(bits)
+}
+
+/// Draws [`tails_from_bits`]: one `next_u64` for `f32`, two (high word first) for `f64`.
+#[inline]
+pub fn tails<T: Real, R: Rng + ?Sized>(rng: &mut R) -> Tails<T> {
+    T::tails_of(T::draw_tail_bits(rng))
+}
+
+/// Draws [`azimuth_from_bits`]: one `next_u32` for `f32`, one `next_u64` for `f64`.
+#[inline]
+pub fn azimuth<T: Real, R: Rng + ?Sized>(rng: &mut R) -> CosSin<T> {
+    T::turn_of(T::draw_turn_bits(rng))
+}
+
+/// A uniform number in (0, 1], of full relative precision towards 0; words as [`tails`].
+#[inline]
+pub fn unit<T: Real, R: Rng + ?Sized>(rng: &mut R) -> T {
+    tails::<T, R>(rng).lower()
+}

@@ -1,0 +1,330 @@
+#!/usr/bin/env python3
+"""Writes src/kernel/table_f32.rs and src/kernel/table_f64.rs.
+
+Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
+
+    python3 tools/coefficients.py
+
+Each polynomial is the best one with coefficients of the format (Sollya's fpminimax), at the
+least degree whose relative error is below the target. fpminimax gets an interpolant of the
+function that is exact to 1e-30, so that functions known only through an equation (Kepler's)
+need no closed form.
+"""
+
+import struct
+import subprocess
+import sys
+
+from mpmath import mp, mpf, asin, cos, chebyt, ln, pi, sin, sqrt, findroot
+
+mp.dps = 110
+
+# |theta| where the two branches of Kepler's equation meet: nearer tail 1/8.
+SPLIT = mpf(1) / 8
+
+
+def series_free(f, a, b, n=64):
+    """Coefficients (lowest first) of the polynomial of degree n through f at Chebyshev nodes."""
+    a, b = mpf(a), mpf(b)
+    nodes = [cos(pi * (2 * i + 1) / (2 * n + 2)) for i in range(n + 1)]
+    values = [f((a + b) / 2 + (b - a) / 2 * x) for x in nodes]
+    cheb = []
+    for k in range(n + 1):
+        s = sum(v * cos(pi * k * (2 * i + 1) / (2 * n + 2)) for i, v in enumerate(values))
+        cheb.append(s * 2 / (n + 1))
+    cheb[0] /= 2
+    # Chebyshev to monomials in x in [-1, 1], then to v in [a, b].
+    t0, t1 = [mpf(1)], [mpf(0), mpf(1)]
+    mono = [mpf(0)] * (n + 1)
+    for k in range(n + 1):
+        t = t0 if k == 0 else t1 if k == 1 else None
+        if t is None:
+            t = [mpf(0)] + [2 * c for c in t1]
+            for i, c in enumerate(t0):
+                t[i] -= c
+            t0, t1 = t1, t
+        for i, c in enumerate(t):
+            mono[i] += cheb[k] * c
+    scale, shift = 2 / (b - a), -(a + b) / (b - a)
+    out, power = [mpf(0)] * (n + 1), [mpf(1)]
+    for k in range(n + 1):
+        for i, c in enumerate(power):
+            out[i] += mono[k] * c
+        grown = [mpf(0)] * (len(power) + 1)
+        for i, c in enumerate(power):
+            grown[i] += c * shift
+            grown[i + 1] += c * scale
+        power = grown
+    return out
+
+
+def newton(f, df, x):
+    for _ in range(200):
+        step = f(x) / df(x)
+        x -= step
+        if abs(step) <= abs(x) * mpf(10) ** (-mp.dps + 8):
+            return x
+    return x
+
+
+def tail_angle(t):
+    """(eta / s - 1/2) / t: the angle from the nearer end over s = cbrt(12 pi p), t = s^2."""
+    s = sqrt(t)
+    y = s + s**3 / 60 + s**5 / 1400
+    y = newton(lambda y: y - sin(y) - s**3 / 6, lambda y: 1 - cos(y), y)
+    return (y / 2 / s - mpf(1) / 2) / t
+
+
+def centre_angle(w):
+    """(theta / d - pi / 2) / w, w = d^2, d = 1/2 - p: theta + sin theta cos theta = pi d."""
+    d = sqrt(w)
+    x = newton(lambda x: x + sin(x) * cos(x) - pi * d, lambda x: 2 * cos(x) ** 2, pi * d / 2)
+    return (x / d - pi / 2) / w
+
+
+def tail_of_cos(w):
+    """(p / cos^3 - 2 / (3 pi)) / w, w = cos^2."""
+    c = sqrt(w)
+    return ((asin(c) - c * sqrt(1 - w)) / pi / c**3 - 2 / (3 * pi)) / w
+
+
+def centre_of_sin(w):
+    """((asin s + s sqrt(1 - s^2)) / pi - 2 s / pi) / s^3, w = s^2."""
+    s = sqrt(w)
+    return ((asin(s) + s * sqrt(1 - w)) / pi - 2 * s / pi) / s**3
+
+
+def tail_of_angle(h):
+    """(p / eta^3 - 2 / (3 pi)) / h, h = eta^2, p the nearer tail of the disk's law at eta from its end."""
+    y = 2 * sqrt(h)
+    return ((y - sin(y)) / (2 * pi) / sqrt(h) ** 3 - 2 / (3 * pi)) / h
+
+
+root = lambda f: (lambda v: f(sqrt(v)))
+TAIL_TOP = (12 * pi * SPLIT) ** (mpf(2) / 3) * (1 + mpf(2) ** -20)
+CENTRE_TOP = (mpf(1) / 2 - SPLIT) ** 2 * (1 + mpf(2) ** -20)
+
+# name, function of v, top of the interval [0, top], share of the result that the polynomial makes, doc
+POLYNOMIALS = [
+    ("sin", root(lambda x: (sin(x) - x) / x**3), mpf("0.81"), mpf("0.14"),
+     "(sin x - x) / x^3 in x^2, |x| <= 0.9"),
+    ("cos", root(lambda x: (cos(x) - 1 + x**2 / 2) / x**4), mpf("0.81"), mpf("0.05"),
+     "(cos x - 1 + x^2 / 2) / x^4 in x^2, |x| <= 0.9"),
+    ("sin_turn", root(lambda x: (sin(2 * pi * x) / x - 2 * pi) / x**2), mpf(1) / 64, mpf("0.1"),
+     "(sin 2 pi x / x - 2 pi) / x^2 in x^2, |x| <= 1/8"),
+    ("cos_turn", root(lambda x: (cos(2 * pi * x) - 1) / x**2), mpf(1) / 64, mpf("0.42"),
+     "(cos 2 pi x - 1) / x^2 in x^2, |x| <= 1/8"),
+    ("kepler_tail", tail_angle, TAIL_TOP, mpf("0.04"),
+     "(eta / s - 1/2) / s^2 in s^2, s = cbrt(12 pi p), p <= 1/8"),
+    ("kepler_centre", centre_angle, CENTRE_TOP, mpf("0.15"),
+     "(theta / d - pi/2) / d^2 in d^2, d = 1/2 - p, p >= 1/8"),
+    ("disk_tail", tail_of_angle, (pi / 2) ** 2 * (1 + mpf(2) ** -20), mpf("0.3"),
+     "(p / eta^3 - 2 / 3 pi) / eta^2 in eta^2, eta <= pi / 2"),
+    ("disk_tail_of_cos", tail_of_cos, mpf(1) / 2 * (1 + mpf(2) ** -20), mpf("0.18"),
+     "(p / c^3 - 2 / 3 pi) / c^2 in c^2, c <= sqrt 1/2"),
+    ("disk_centre_of_sin", centre_of_sin, mpf(1) / 2 * (1 + mpf(2) ** -20), mpf("0.3"),
+     "((asin s + s cos) / pi - 2 s / pi) / s^3 in s^2, s <= sqrt 1/2"),
+]
+
+# Exact constants, stored as hi + lo.
+CONSTANTS = [
+    ("half_pi", pi / 2, "pi / 2"),
+    ("two_pi", 2 * pi, "2 pi"),
+    ("pi", pi, "pi"),
+    ("recip_pi", 1 / pi, "1 / pi"),
+    ("two_over_pi", 2 / pi, "2 / pi"),
+    ("recip_two_pi", 1 / (2 * pi), "1 / (2 pi)"),
+    ("twelve_pi", 12 * pi, "12 pi"),
+    ("three_over_two_pi", 3 / (2 * pi), "3 / 2 pi"),
+    ("two_over_three_pi", 2 / (3 * pi), "2 / 3 pi"),
+    ("ln_2", ln(2), "ln 2"),
+    ("ln_two_pi", ln(2 * pi), "ln 2 pi"),
+    ("ln_pi", ln(pi), "ln pi"),
+    ("ln_two_over_pi", ln(2 / pi), "ln 2 / pi"),
+    ("ln_three_over_two_pi", ln(3 / (2 * pi)), "ln 3 / 2 pi"),
+]
+
+# law: mean cos, mean cos^2, mean theta, mean theta^2, entropy
+MOMENTS = [
+    ("disk", 8 / (3 * pi), mpf(3) / 4, 0, pi**2 / 12 - mpf(1) / 2, ln(2 * pi) - 1),
+    ("circle_shell", pi / 4, mpf(2) / 3, 0, pi**2 / 4 - 2, 1),
+    ("circle_arc", 2 / pi, mpf(1) / 2, 0, pi**2 / 12, ln(pi)),
+    ("ball", mpf(4) / 5, mpf(2) / 3, 3 * pi / 16, 3 * pi**2 / 32 - mpf(1) / 2, ln(pi / 2) + mpf(3) / 4),
+    ("sphere_shell", mpf(3) / 4, mpf(3) / 5, mpf(2) / 3, 2 * pi / 3 - mpf(14) / 9, ln(2 * pi / 3) + mpf(2) / 3),
+    ("lambert", mpf(2) / 3, mpf(1) / 2, pi / 4, pi**2 / 8 - mpf(1) / 2, ln(pi) + mpf(1) / 2),
+]
+
+def over_even_powers(n):
+    """a_j of integral of cos^n = sqrt(pi/2t) sum a_j m^-2j, from ln Gamma(m + 1/4) - ln Gamma(m + 3/4)."""
+    log = [mpf(0)] * (n + 1)
+    for j in range(1, n + 1):
+        i = 2 * j
+        b = mp.bernpoly(i + 1, mpf(1) / 4) - mp.bernpoly(i + 1, mpf(3) / 4)
+        log[j] = -b / (i * (i + 1))
+    out = [mpf(1)]
+    for j in range(1, n + 1):
+        out.append(sum(k * log[k] * out[j - k] for k in range(1, j + 1)) / j)
+    return out
+
+
+def over_powers(n):
+    """b_j of integral of theta cos^n = sum b_j n^-j, from n (n-1) J(n-2) = n^2 J(n) + 1."""
+    b = [mpf(0), mpf(1)]
+    for top in range(2, n + 1):
+        # The coefficient of n^(1 - top); b_top enters through n^(2 - top) twice and cancels.
+        def shifted(power):  # of n^-power in J(n-2)
+            return sum(b[j] * mp.binomial(power - 1, power - j) * mpf(2) ** (power - j)
+                       for j in range(1, min(power, len(b) - 1) + 1))
+        # n^2 J(n-2) - n J(n-2) - n^2 J(n) - 1 at n^(1 - top) with b_top unknown:
+        # from n^2 J(n-2): shifted(top + 1) has b_top * 2 top; from -n J(n-2): shifted(top) has b_top.
+        known = shifted(top + 1) - shifted(top)
+        b.append(-known / (2 * top - 1))
+    return b[1:]
+
+
+# Taylor and atanh series, leading terms as hi + lo, for the few places that need ~2^-64.
+def factorial_series(odd, n):
+    out, f = [], mpf(1)
+    for j in range(1, n + 1):
+        a = 2 * j if odd else 2 * j - 1
+        f *= a * (a + 1)
+        out.append((-1) ** j / f)
+    return out
+
+
+def series_specs(bits):
+    n = 11 if bits == 53 else 6
+    m = 13 if bits == 53 else 6
+    return [
+        ("sin_series", factorial_series(True, n), "(sin x - x) / x^3, Taylor"),
+        ("cos_series", factorial_series(False, n), "(cos x - 1) / x^2, Taylor"),
+        ("atanh_series", [mpf(1) / (2 * j + 3) for j in range(m)], "(atanh z - z) / z^3, Taylor"),
+    ]
+
+
+HEAD = 4
+
+
+def round_to(x, bits):
+    """The nearest number of the format, as an exact mpf (normal range)."""
+    if x == 0:
+        return mpf(0)
+    m, e = mp.frexp(x)
+    return mp.ldexp(mp.nint(m * mpf(2) ** bits), int(e) - bits)
+
+
+def text(x, bits):
+    """Shortest decimal that reads back as x in the format."""
+    v = float(x)
+    if v == 0:
+        return "0.0"
+    if bits == 53:
+        s = repr(v)
+    else:
+        for digits in range(1, 12):
+            s = f"{v:.{digits}g}"
+            if struct.unpack("f", struct.pack("f", float(s)))[0] == v:
+                break
+        s = repr(float(s))
+    mantissa, _, exponent = s.partition("e")
+    return mantissa + ("" if "." in mantissa else ".0") + (f"e{int(exponent)}" if exponent else "")
+
+
+def fit(coefficients, top, share, bits):
+    """Sollya's polynomial of least degree with share * relative error < 2^-(bits + 2)."""
+    target = mpf(2) ** -(bits + 2) / share
+    proxy = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(coefficients))
+    lo = 2 if bits == 24 else 5
+    script = f"""
+prec = 400!;
+f = horner({proxy});
+top = {mp.nstr(top, 40)};
+found = 0;
+for n from {lo} to {12 if bits == 24 else 34} do {{
+  if (found == 0) then {{
+    p = fpminimax(f, n, [|{"SG" if bits == 24 else "D"}...|], [0; top], relative);
+    e = dirtyinfnorm(p / f - 1, [0; top]);
+    if (e < {mp.nstr(target, 20)}) then {{
+      found = 1;
+      for i from 0 to n do {{ print("C", coeff(p, i)); }};
+      print("E", e);
+    }};
+  }};
+}};
+"""
+    out = subprocess.run(["sollya"], input="display=dyadic!;\n" + script, capture_output=True, text=True).stdout
+    cs, err = [], None
+    for line in out.splitlines():
+        if line.startswith("C "):
+            v = line[2:].strip()
+            m, _, e = v.partition("b")
+            cs.append(mpf(int(m)) * mpf(2) ** int(e or 0))
+        elif line.startswith("E "):
+            v = line[2:].strip()
+            m, _, e = v.partition("b")
+            err = mp.log(mpf(int(m)) * mpf(2) ** int(e or 0), 2)
+    if not cs:
+        sys.exit("sollya found no polynomial:\n" + out[:2000])
+    return cs, err
+
+
+def pair(x, bits):
+    hi = round_to(x, bits)
+    lo = round_to(x - hi, bits)
+    return hi, lo
+
+
+def emit(bits, fits):
+    ty = "f32" if bits == 24 else "f64"
+    t = lambda x: text(x, bits)
+    pr = lambda x: "Pair { hi: %s, lo: %s }" % tuple(t(v) for v in pair(x, bits))
+    lines = [
+        f"//! Constants and coefficients for {ty}, written by `python3 tools/coefficients.py`: do not edit.",
+        "",
+        "use super::pair::Pair;",
+        "use super::table::{Series, Table};",
+        "use crate::Moments;",
+        "",
+        f"pub(crate) const TABLE: Table<{ty}> = Table {{",
+    ]
+    for name, value, doc in CONSTANTS:
+        lines += [f"    // {doc}", f"    {name}: {pr(value)},"]
+    for name, cos1, cos2, theta1, theta2, entropy in MOMENTS:
+        values = [cos1, cos2 - cos1**2, theta1, theta2 - mpf(theta1) ** 2, entropy]
+        fields = ["mean_cos", "var_cos", "mean_theta", "var_theta", "entropy"]
+        lines += [f"    {name}_moments: Moments {{"]
+        lines += [f"        {f}: {t(round_to(mpf(v), bits))}," for f, v in zip(fields, values)] + ["    },"]
+    for name, cs, err, doc in fits:
+        lines += [f"    // {doc}; relative error 2^{mp.nstr(err, 4)}", f"    {name}: &["]
+        lines += [f"        {t(c)}," for c in cs] + ["    ],"]
+    for name, cs, doc in [
+        ("cosine_integral", over_even_powers(7), "integral of cos^n over its leading term, in m^-2, m = (2n + 1)/4"),
+        ("angle_integral", over_powers(14), "n times the integral of theta cos^n, in 1/n"),
+    ]:
+        lines += [f"    // {doc}; asymptotic", f"    {name}: &["]
+        lines += [f"        {t(round_to(c, bits))}," for c in cs] + ["    ],"]
+    for name, cs, doc in series_specs(bits):
+        head = HEAD if bits == 53 else 2
+        lines += [f"    // {doc}", f"    {name}: Series {{", "        head: &["]
+        lines += [f"            {pr(c)}," for c in cs[:head]] + ["        ],", "        tail: &["]
+        lines += [f"            {t(round_to(c, bits))}," for c in cs[head:]] + ["        ],", "    },"]
+    lines += ["};", ""]
+    path = f"src/kernel/table_{ty}.rs"
+    with open(path, "w") as f:
+        f.write("\n".join(lines))
+    subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
+
+
+def main():
+    proxies = [(n, series_free(f, 0, top), top, share, doc) for n, f, top, share, doc in POLYNOMIALS]
+    for bits in (24, 53):
+        fits = []
+        for name, proxy, top, share, doc in proxies:
+            cs, err = fit(proxy, top, share, bits)
+            print(f"{bits} bits: {name}: degree {len(cs) - 1}, relative error 2^{mp.nstr(err, 4)}", flush=True)
+            fits.append((name, cs, err, doc))
+        emit(bits, fits)
+
+
+if __name__ == "__main__":
+    main()
