@@ -1,0 +1,160 @@
+//! What each law claims, in `f64` closed forms that share nothing with the crate.
+
+use coslobe::{
+    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Moments, PlanarPoint, Real,
+    Spatial, SpatialPoint, SphereShell,
+};
+use std::f64::consts::{PI, TAU};
+
+pub trait Float: Real + Into<f64> {
+    const NAME: &'static str;
+    const EPSILON: f64;
+    const SMALLEST: Self;
+    const LARGEST: Self;
+    fn of(x: f64) -> Self;
+    fn bits(self) -> u64;
+}
+
+impl Float for f32 {
+    const NAME: &'static str = "f32";
+    const EPSILON: f64 = f32::EPSILON as f64;
+    const SMALLEST: f32 = f32::MIN_POSITIVE;
+    const LARGEST: f32 = f32::MAX;
+    fn of(x: f64) -> f32 {
+        x as f32
+    }
+    fn bits(self) -> u64 {
+        self.to_bits().into()
+    }
+}
+
+impl Float for f64 {
+    const NAME: &'static str = "f64";
+    const EPSILON: f64 = f64::EPSILON;
+    const SMALLEST: f64 = f64::MIN_POSITIVE;
+    const LARGEST: f64 = f64::MAX;
+    fn of(x: f64) -> f64 {
+        x
+    }
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+}
+
+/// A direction as \[x, y, z\], y along the axis; z = 0 in the plane.
+pub type Direction = [f64; 3];
+
+/// A law p ∝ cosᵏθ with its moments as the crate has them.
+#[derive(Clone)]
+pub struct Claim {
+    pub name: String,
+    pub planar: bool,
+    pub k: f64,
+    pub moments: Moments<f64>,
+    /// Precision of the number type.
+    pub epsilon: f64,
+}
+
+impl Claim {
+    pub fn new<T: Float>(name: &str, planar: bool, k: f64, m: Moments<T>) -> Self {
+        Claim {
+            name: format!("{name} {}", T::NAME),
+            planar,
+            k,
+            moments: Moments {
+                mean_cos: m.mean_cos.into(),
+                var_cos: m.var_cos.into(),
+                mean_theta: m.mean_theta.into(),
+                var_theta: m.var_theta.into(),
+                entropy: m.entropy.into(),
+            },
+            epsilon: T::EPSILON,
+        }
+    }
+
+    /// (smaller of cdf and sf of θ, whether it is the sf), from the smaller of cos θ and |sin θ|.
+    pub fn tail(&self, cos: f64, sin: f64) -> (f64, bool) {
+        if self.planar {
+            (self.planar_tail(cos, sin.abs()), sin > 0.0)
+        } else {
+            let power = (self.k + 1.0) * ln_cos(cos, sin);
+            let (lower, upper) = (-power.exp_m1(), power.exp());
+            (lower.min(upper), upper < lower)
+        }
+    }
+
+    fn planar_tail(&self, cos: f64, sin: f64) -> f64 {
+        let from_end = cos.atan2(sin);
+        match self.k {
+            0.0 => from_end / PI,
+            1.0 => cos * cos / (2.0 * (1.0 + sin)),
+            2.0 => minus_sine(2.0 * from_end) / TAU,
+            k => panic!("no closed form for k = {k} in the plane"),
+        }
+    }
+
+    /// −ln p of a direction, per radian or per steradian.
+    pub fn surprise(&self, cos: f64, sin: f64) -> f64 {
+        let scale = match (self.planar, self.k) {
+            (false, k) => (k + 1.0) / TAU,
+            (true, 0.0) => 1.0 / PI,
+            (true, 1.0) => 0.5,
+            (true, _) => 2.0 / PI,
+        };
+        -scale.ln() - self.k * ln_cos(cos, sin)
+    }
+}
+
+fn ln_cos(cos: f64, sin: f64) -> f64 {
+    if cos < sin.abs() {
+        cos.ln()
+    } else {
+        0.5 * (-sin * sin).ln_1p()
+    }
+}
+
+/// y − sin y; by its series where the difference would lose digits.
+fn minus_sine(y: f64) -> f64 {
+    if y > 0.5 {
+        return y - y.sin();
+    }
+    let mut term = y * y * y / 6.0;
+    let mut sum = 0.0;
+    for n in 2..10 {
+        sum += term;
+        term *= -y * y / f64::from((2 * n) * (2 * n + 1));
+    }
+    sum
+}
+
+/// Visits every law with its own type.
+pub trait Visitor<T: Float> {
+    fn planar<L: PlanarPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L);
+    fn spatial<L: Spatial<T> + Copy + 'static>(&mut self, claim: Claim, law: L);
+    /// A spatial law that has a point.
+    fn tangent<L: SpatialPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+        self.spatial(claim, law);
+    }
+}
+
+pub fn each<T: Float>(visitor: &mut impl Visitor<T>, exponents: &[f64]) {
+    let planar = |name, k, moments| Claim::new::<T>(name, true, k, moments);
+    let spatial = |name: &str, k, moments| Claim::new::<T>(name, false, k, moments);
+    visitor.planar(planar("Disk", 2.0, Disk.moments()), Disk);
+    visitor.planar(
+        planar("CircleShell", 1.0, CircleShell.moments()),
+        CircleShell,
+    );
+    visitor.planar(planar("CircleArc", 0.0, CircleArc.moments()), CircleArc);
+    visitor.tangent(spatial("Ball", 3.0, Ball.moments()), Ball);
+    visitor.tangent(
+        spatial("SphereShell", 2.0, SphereShell.moments()),
+        SphereShell,
+    );
+    visitor.tangent(spatial("Lambert", 1.0, Lambert.moments()), Lambert);
+    for &k in exponents {
+        let (name, k) = (format!("CosPower({k})"), T::of(k));
+        let law = CosPower::new(k).expect("a finite exponent");
+        visitor.spatial(spatial(&name, k.into(), law.moments()), law);
+    }
+}

@@ -1,0 +1,42 @@
+//! z-test of a mean whose exact value is known.
+
+use statrs::function::erf::erfc;
+
+/// Accumulates f(x) − E\[f(x)\].
+pub struct Mean {
+    expected: f64,
+    tolerance: f64,
+    n: f64,
+    sum: f64,
+    squares: f64,
+}
+
+impl Mean {
+    /// `epsilon`: relative error that `expected` itself may have.
+    pub fn of(expected: f64, epsilon: f64) -> Self {
+        Mean {
+            expected,
+            tolerance: epsilon * expected.abs(),
+            n: 0.0,
+            sum: 0.0,
+            squares: 0.0,
+        }
+    }
+
+    pub fn add(&mut self, x: f64) {
+        let d = x - self.expected;
+        self.n += 1.0;
+        self.sum += d;
+        self.squares += d * d;
+    }
+
+    pub fn p_value(&self) -> f64 {
+        let mean = self.sum / self.n;
+        let variance = (self.squares / self.n - mean * mean).max(0.0);
+        let error = (variance / self.n).sqrt() + self.tolerance;
+        if mean == 0.0 {
+            return 1.0;
+        }
+        erfc((mean / error).abs() / std::f64::consts::SQRT_2)
+    }
+}

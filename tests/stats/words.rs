@@ -1,0 +1,63 @@
+//! Generators made of a closure, and conditioned ones.
+
+use coslobe::rand_core::{Rng, TryRng};
+use rand_pcg::Pcg64;
+use std::convert::Infallible;
+
+/// Fixed seed, a stream of its own for every subject: equal words would repeat one verdict.
+pub fn pcg(subject: &str) -> Pcg64 {
+    let stream = subject.bytes().fold(1, |hash: u128, byte| {
+        hash.wrapping_mul(0x100_0000_01b3) ^ u128::from(byte)
+    });
+    Pcg64::new(0x853c_49e6_748f_ea9b, stream)
+}
+
+/// Words from a closure; counts the calls of each width.
+pub struct Words<F> {
+    next: F,
+    /// Calls of `next_u32` and `next_u64`.
+    pub drawn: (usize, usize),
+}
+
+impl<F: FnMut() -> u64> Words<F> {
+    pub fn new(next: F) -> Self {
+        Words {
+            next,
+            drawn: (0, 0),
+        }
+    }
+}
+
+impl<F: FnMut() -> u64> TryRng for Words<F> {
+    type Error = Infallible;
+
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        self.drawn.0 += 1;
+        Ok((self.next)() as u32)
+    }
+
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        self.drawn.1 += 1;
+        Ok((self.next)())
+    }
+
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
+        unreachable!("no sampler documents bytes")
+    }
+}
+
+/// The i-th word w becomes `shape(i, w)`.
+pub fn shaped(rng: &mut Pcg64, shape: impl Fn(u32, u64) -> u64) -> impl Rng {
+    let mut words = 0..;
+    Words::new(move || shape(words.next().unwrap_or(u32::MAX), rng.next_u64()))
+}
+
+/// Words whose nearer tail is below 2^−`depth`: the side bit stays, zeros follow it.
+pub fn deep(depth: u32) -> impl Fn(u32, u64) -> u64 + Copy {
+    const SIDE: u64 = 1 << 63;
+    move |i, word| match i {
+        0 => (word & SIDE) | ((word & !SIDE) >> (depth - 1).min(63)),
+        1 => word >> depth.saturating_sub(64),
+        _ => word,
+    }
+}
