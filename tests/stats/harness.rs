@@ -108,8 +108,13 @@ pub fn examine_tail(
 /// (cos θ, sin θ) of a unit vector inside the support; anything else is fatal.
 fn polar(claim: &Claim, [x, y, z]: Direction, report: &mut Report) -> Option<(f64, f64)> {
     let sin = if claim.planar { x } else { x.hypot(z) };
+    let off = (y.hypot(sin) - 1.0).abs();
+    // 2 ulp, and what computing the norm may add.
+    if off > 2.0 * claim.epsilon + f64::EPSILON {
+        report.fatal(format!("[{x:e}, {y:e}, {z:e}] is {off:e} off unit length"));
+    }
     // Written so that NaN fails.
-    if y > 0.0 && (y.hypot(sin) - 1.0).abs() < 1e-6 {
+    if y > 0.0 && off < 1e-6 {
         return Some((y, sin));
     }
     report.fatal(format!("[{x:e}, {y:e}, {z:e}] has no density"));

@@ -4,7 +4,7 @@
 const FAMILY: f64 = 1e-4;
 
 /// At least the number of p-values in one run, opt-in tests included.
-const TESTS: f64 = 1024.0;
+const TESTS: f64 = 2048.0;
 
 /// Šidák's threshold of a single p-value: 1 − (1 − `FAMILY`)^(1/`TESTS`).
 pub fn threshold() -> f64 {

@@ -61,3 +61,41 @@ pub fn deep(depth: u32) -> impl Fn(u32, u64) -> u64 + Copy {
         _ => word,
     }
 }
+
+/// The words of a generator.
+pub type Source = Box<dyn FnMut() -> u64>;
+
+/// Repeats `words` for ever.
+fn cycle(words: &'static [u64]) -> Source {
+    let mut words = words.iter().cycle();
+    Box::new(move || *words.next().expect("a cycle does not end"))
+}
+
+/// Stuck, alternating and counting generators.
+pub fn hostile() -> Vec<(&'static str, Source)> {
+    const ODD: u64 = 0x5555_5555_5555_5555;
+    let mut count = 0u64;
+    let mut countdown = 0u64;
+    vec![
+        ("zeros", cycle(&[0])),
+        ("ones", cycle(&[!0])),
+        ("top bit", cycle(&[1 << 63])),
+        ("all but the top bit", cycle(&[!0 >> 1])),
+        ("0, 1", cycle(&[0, 1])),
+        ("zeros, ones", cycle(&[0, !0])),
+        ("ones, zeros", cycle(&[!0, 0])),
+        ("0x55", cycle(&[ODD])),
+        ("0xAA", cycle(&[!ODD])),
+        ("period 2", cycle(&[ODD, !ODD])),
+        ("period 3", cycle(&[0, 1 << 63, !0])),
+        (
+            "another period 3",
+            cycle(&[0x0123_4567_89ab_cdef, 0, 1 << 31]),
+        ),
+        ("counting", Box::new(move || (count, count += 1).0)),
+        (
+            "counting down",
+            Box::new(move || (countdown = countdown.wrapping_sub(1), countdown).1),
+        ),
+    ]
+}
