@@ -1,0 +1,99 @@
+//! The promises of every law, for any exponent.
+
+use super::float::{Float, pair_at};
+use super::input::Words;
+use super::measure::{assert_close, context};
+use super::samples::Drawn;
+use super::{densities, quantiles, samples, warps};
+use coslobe::{Ball, CosPower, CosSin, ExponentError, Lambert, Law, Spatial, SphereShell};
+use std::f64::consts::FRAC_PI_2;
+
+/// A law of its own type against `CosPower` at its exponent.
+const AGREE_ULP: f64 = 8.0;
+
+/// Words: k; θ or cos θ; sin θ or a probability; a second one. The whole input is the generator.
+pub fn check(data: &[u8]) {
+    all::<f32>(data);
+    all::<f64>(data);
+}
+
+fn all<T: Float + Drawn>(data: &[u8]) {
+    let mut words = Words::new(data);
+    let [bits, even] = T::both(words.word(), 0.0, 64.0);
+    let (a, b, c) = (words.word(), words.word(), words.word());
+    for k in [bits, even] {
+        let Some(law) = law(k) else { continue };
+        for theta in T::both(a, -0.1, 1.6) {
+            densities::spatial(&law, theta, false);
+        }
+        let any = CosSin {
+            cos: T::from_word(a),
+            sin: T::from_word(b),
+        };
+        let angle = FRAC_PI_2 * T::unit(b).wide();
+        for at in [any, pair_at(angle), pair_at(-angle)] {
+            densities::spatial_pair(&law, at);
+        }
+        let (p, q) = (T::both(b, 0.0, 1.0), T::both(c, 0.0, 1.0));
+        for (p, q) in [(p[0], q[0]), (p[1], q[1]), (p[0], q[1])] {
+            quantiles::spatial(&law, p, q);
+            warps::spatial(&law, p, q);
+        }
+        samples::spatial(&law, data);
+        moments(&law);
+    }
+    let angle = FRAC_PI_2 * T::unit(a).wide();
+    agrees(&Lambert, 1.0, pair_at::<T>(angle), T::narrow(angle));
+    agrees(&SphereShell, 2.0, pair_at::<T>(angle), T::narrow(angle));
+    agrees(&Ball, 3.0, pair_at::<T>(angle), T::narrow(angle));
+}
+
+/// CosPower::new takes exactly what it says.
+fn law<T: Float>(k: T) -> Option<CosPower<T>> {
+    let x = k.wide();
+    let expected = if x.is_nan() {
+        Err(ExponentError::NotANumber)
+    } else if x < 0.0 {
+        Err(ExponentError::Negative)
+    } else if x.is_infinite() {
+        Err(ExponentError::Infinite)
+    } else {
+        Ok(x)
+    };
+    let law = CosPower::new(k);
+    assert_eq!(law.map(|law| law.exponent().wide()), expected);
+    law.ok()
+}
+
+/// Finite, and in the ranges that any direction above the horizon keeps to.
+fn moments<T: Float>(law: &CosPower<T>) {
+    let m = law.moments();
+    let values = [m.mean_cos, m.var_cos, m.mean_theta, m.var_theta, m.entropy].map(T::wide);
+    assert!(values.iter().all(|v| v.is_finite()), "{m:?} of {law:?}");
+    let [mean_cos, var_cos, mean_theta, ..] = values;
+    assert!(
+        (0.5..=1.0).contains(&mean_cos) && var_cos >= 0.0,
+        "{m:?} of {law:?}"
+    );
+    assert!((0.0..FRAC_PI_2).contains(&mean_theta), "{m:?} of {law:?}");
+}
+
+fn agrees<T: Float, L: Spatial<T>>(law: &L, k: f64, at: CosSin<T>, theta: T) {
+    let _context = context::<T, L>();
+    let power = CosPower::new(T::narrow(k)).expect("a finite exponent ≥ 0");
+    let pairs = [
+        (power.pdf(theta), law.pdf(theta)),
+        (power.cdf(theta), law.cdf(theta)),
+        (power.sf(theta), law.sf(theta)),
+        (power.density(at), law.density(at)),
+        (power.unwarp(at), law.unwarp(at)),
+    ];
+    for (a, b) in pairs {
+        assert_close::<T>(
+            a.wide(),
+            b.wide(),
+            AGREE_ULP,
+            "CosPower against the law's own type",
+        );
+    }
+}

@@ -1,0 +1,203 @@
+//! Densities and distribution functions, at any bits.
+
+use super::float::{Float, pair_at};
+use super::input::Words;
+use super::measure::{assert_close, assert_positive_or_zero, context};
+use coslobe::{
+    Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Law, Planar, Spatial, SphereShell,
+};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// ln p against the logarithm of p, in ulp of 1 + |ln p|, and so e^(ln p) against p.
+const LN_ULP: f64 = 8.0;
+/// cdf + sf against 1: the farther tail is 1 minus the nearer one, rounded.
+const SUM_ULP: f64 = 1.0;
+/// One step up in θ may lower a cdf by its rounding errors.
+const STEP_ULP: f64 = 8.0;
+/// pdf against the density per steradian times sin θ, three roundings each, more for `CosPower`.
+const MEASURE_ULP: f64 = 12.0;
+/// No NaN without a NaN for pairs of any length up to this, per component; beyond it a pair is no
+/// direction, and ∞/∞ may arise.
+const LONGEST: f64 = 1.0;
+/// lambert_weight · density against cos θ/π (3D) or cos θ/2 (2D), the definition of the weight.
+const WEIGHT_ULP: f64 = 12.0;
+
+/// Words: θ; then a pair's cos and sin.
+pub fn check(data: &[u8]) {
+    all::<f32>(Words::new(data));
+    all::<f64>(Words::new(data));
+}
+
+fn all<T: Float>(mut words: Words) {
+    let (a, b) = (words.word(), words.word());
+    for theta in T::both(a, -1.6, 1.6) {
+        planar(&Disk, theta);
+        planar(&CircleShell, theta);
+        planar(&CircleArc, theta);
+        spatial(&Ball, theta, true);
+        spatial(&SphereShell, theta, true);
+        spatial(&Lambert, theta, true);
+    }
+    let at = CosSin {
+        cos: T::from_word(a),
+        sin: T::from_word(b),
+    };
+    let angle = FRAC_PI_2 * T::unit(a).wide();
+    for at in [at, pair_at(angle), pair_at(-angle)] {
+        planar_pair(&Disk, at);
+        planar_pair(&CircleShell, at);
+        planar_pair(&CircleArc, at);
+        spatial_pair(&Ball, at);
+        spatial_pair(&SphereShell, at);
+        spatial_pair(&Lambert, at);
+    }
+}
+
+fn planar<T: Float, L: Planar<T>>(law: &L, theta: T) {
+    let _context = context::<T, L>();
+    let inside = theta >= -T::END && theta <= T::END;
+    line(law, theta, inside, true);
+    if theta.nan() {
+        return;
+    }
+    assert_eq!(law.pdf(theta).word(), law.pdf(-theta).word(), "odd pdf");
+    if theta.wide() != 0.0 {
+        assert_eq!(
+            law.cdf(theta).word(),
+            law.sf(-theta).word(),
+            "cdf(θ) ≠ sf(−θ)"
+        );
+    }
+}
+
+/// `strict`: the density itself cannot underflow, whatever θ.
+pub fn spatial<T: Float, L: Spatial<T>>(law: &L, theta: T, strict: bool) {
+    let _context = context::<T, L>();
+    let inside = theta.wide() >= 0.0 && theta <= T::END;
+    line(law, theta, inside, strict);
+    let p = law.pdf_solid_angle(theta);
+    assert_eq!(p.nan(), theta.nan());
+    if p.nan() {
+        return;
+    }
+    assert_positive_or_zero(p, "pdf_solid_angle");
+    assert!(p.wide() < f64::INFINITY && (inside || p.wide() == 0.0));
+    assert!(!strict || inside == (p.wide() > 0.0));
+    let product = p.wide() * theta.wide().sin().abs();
+    if inside && p.wide() >= T::NORMAL && product >= T::NORMAL {
+        assert_close::<T>(law.pdf(theta).wide(), product, MEASURE_ULP, "pdf");
+    }
+}
+
+/// What holds for every law on the line of θ.
+fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
+    let (p, ln_p) = (law.pdf(theta), law.ln_pdf(theta));
+    let (cdf, sf) = (law.cdf(theta), law.sf(theta));
+    let tails = law.tails(theta);
+    if theta.nan() {
+        let values = [p, ln_p, cdf, sf, tails.lower(), tails.upper()];
+        assert!(values.iter().all(|v| v.nan()), "NaN in, {values:?} out");
+        return;
+    }
+    assert_positive_or_zero(p, "pdf");
+    assert!(!ln_p.nan());
+    assert_eq!(
+        [cdf.word(), sf.word()],
+        [tails.lower(), tails.upper()].map(T::word)
+    );
+    for tail in [cdf, sf] {
+        assert_positive_or_zero(tail, "tail");
+        assert!(tail.wide() <= 1.0, "tail {tail:e} at θ = {theta:e}");
+    }
+    if !inside {
+        let (lower, upper) = if theta.wide() > 0.0 {
+            (1.0, 0.0)
+        } else {
+            (0.0, 1.0)
+        };
+        assert_eq!(
+            [p, ln_p, cdf, sf].map(T::wide),
+            [0.0, -f64::INFINITY, lower, upper]
+        );
+        return;
+    }
+    assert!(p.wide() < f64::INFINITY, "pdf({theta:e}) = {p:e}");
+    let log = ln_p.wide();
+    assert!(log < f64::INFINITY);
+    // Only q at the axis is zero inside; any other zero is an underflow, which ln_pdf has to show.
+    assert!(!strict || theta.wide() == 0.0 || log > -f64::INFINITY);
+    assert!(p.wide() == 0.0 || log > -f64::INFINITY);
+    if p.wide() >= T::NORMAL {
+        // Relative to the largest term of the sum, here at most ln of the largest density.
+        let largest = 1.0 + log.abs();
+        let error = (log - p.wide().ln()).abs() / (T::ULP * largest);
+        assert!(
+            !strict || error <= LN_ULP,
+            "ln_pdf({theta:e}) = {log:e}, pdf = {p:e}"
+        );
+    }
+    assert_close::<T>(cdf.wide() + sf.wide(), 1.0, SUM_ULP, "cdf + sf");
+    let next = law.tails(theta.above());
+    let slack = STEP_ULP * T::ULP;
+    let falls = |a: T, b: T| b.wide() < a.wide() * (1.0 - slack) - 2.0 * T::SMALLEST;
+    assert!(!falls(cdf, next.lower()), "cdf falls at θ = {theta:e}");
+    assert!(!falls(next.upper(), sf), "sf rises at θ = {theta:e}");
+}
+
+fn planar_pair<T: Float, L: Planar<T>>(law: &L, at: CosSin<T>) {
+    pair(law, at, at.cos.wide() >= 0.0, 0.5);
+}
+
+pub fn spatial_pair<T: Float, L: Spatial<T>>(law: &L, at: CosSin<T>) {
+    pair(
+        law,
+        at,
+        at.cos.wide() >= 0.0 && at.sin.wide() >= 0.0,
+        1.0 / PI,
+    );
+}
+
+/// At any pair, of unit length or not. `flat` times cos θ is Lambert's reflected radiance.
+fn pair<T: Float, L: Law<T>>(law: &L, at: CosSin<T>, inside: bool, flat: f64) {
+    let _context = context::<T, L>();
+    let nan = at.cos.nan() || at.sin.nan();
+    let (p, weight) = (law.density(at), law.lambert_weight(at));
+    let (cdf, sf) = (law.unwarp(at), law.unwarp_sf(at));
+    let values = [p, weight, cdf, sf];
+    if nan {
+        assert!(values.iter().all(|v| v.nan()), "NaN in, {values:?} out");
+        return;
+    }
+    if at.cos.wide().abs() > LONGEST || at.sin.wide().abs() > LONGEST {
+        return;
+    }
+    assert!(!values.iter().any(|v| v.nan()), "{at:?} in, {values:?} out");
+    assert_positive_or_zero(p, "density");
+    assert_positive_or_zero(weight, "lambert_weight");
+    if !inside {
+        assert_eq!([p, weight].map(T::wide), [0.0, 0.0], "below the horizon");
+        return;
+    }
+    let length = at.cos.wide().hypot(at.sin.wide());
+    if (length - 1.0).abs() > 4.0 * T::ULP {
+        return;
+    }
+    assert!(p.wide() < f64::INFINITY);
+    for tail in [cdf, sf] {
+        assert_positive_or_zero(tail, "unwarp");
+        assert!(tail.wide() <= 1.0, "unwarp {tail:e} at {at:?}");
+    }
+    let radiance = flat * at.cos.wide();
+    let normal = T::NORMAL..f64::INFINITY;
+    if [p.wide(), weight.wide(), radiance]
+        .iter()
+        .all(|v| normal.contains(v))
+    {
+        assert_close::<T>(
+            weight.wide() * p.wide(),
+            radiance,
+            WEIGHT_ULP,
+            "weight · density",
+        );
+    }
+}

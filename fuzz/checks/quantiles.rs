@@ -1,0 +1,132 @@
+//! Quantiles against their distribution functions, at any bits.
+
+use super::float::Float;
+use super::input::Words;
+use super::measure::{assert_close, context};
+use coslobe::{
+    Ball, CircleArc, CircleShell, Disk, Lambert, Law, Planar, Spatial, SphereShell, Tails,
+};
+
+/// F(q − so many ulp) ≤ p ≤ F(q + so many): the plain tier's bound for a quantile.
+const BRACKET_STEPS: u32 = 4;
+/// F itself is widened by its own rounding errors, in ulp.
+const BRACKET_ULP: f64 = 8.0;
+/// unwarp(warp(p)) against p in units of 1 + |ln p|: a pair's rounding is multiplied by
+/// d ln p / d ln cos, which for p = cosᵏ⁺¹θ is k + 1, at most a few times |ln p| near the horizon.
+const ROUND_TRIP_ULP: f64 = 12.0;
+/// A quantile may fall by its own rounding, in ulp of the larger angle, where p rises.
+const ORDER_ULP: f64 = 4.0;
+
+/// Words: two probabilities.
+pub fn check(data: &[u8]) {
+    all::<f32>(Words::new(data));
+    all::<f64>(Words::new(data));
+}
+
+fn all<T: Float>(mut words: Words) {
+    let a = T::both(words.word(), 0.0, 1.0);
+    let b = T::both(words.word(), 0.0, 1.0);
+    for (a, b) in [
+        (a[0], b[0]),
+        (a[1], b[1]),
+        (a[0], a[1]),
+        (a[1], a[1].above()),
+    ] {
+        planar(&Disk, a, b);
+        planar(&CircleShell, a, b);
+        planar(&CircleArc, a, b);
+        spatial(&Ball, a, b);
+        spatial(&SphereShell, a, b);
+        spatial(&Lambert, a, b);
+    }
+}
+
+fn planar<T: Float, L: Planar<T>>(law: &L, a: T, b: T) {
+    let _context = context::<T, L>();
+    line(law, a, b, -T::END);
+    let (q, mirrored) = (law.quantile(a), law.isf(a));
+    // At p = ½ both are +0.
+    let zeros = q.wide() == 0.0 && mirrored.wide() == 0.0;
+    assert!(
+        q.nan() || zeros || q.word() == (-mirrored).word(),
+        "quantile({a:e}) = {q:e}, isf = {mirrored:e}"
+    );
+}
+
+pub fn spatial<T: Float, L: Spatial<T>>(law: &L, a: T, b: T) {
+    let _context = context::<T, L>();
+    line(law, a, b, T::narrow(0.0));
+}
+
+fn line<T: Float, L: Law<T>>(law: &L, a: T, b: T, start: T) {
+    let domain = |p: T| p.wide() >= 0.0 && p.wide() <= 1.0;
+    for p in [a, b] {
+        let (q, isf) = (law.quantile(p), law.isf(p));
+        if !domain(p) {
+            assert!(
+                q.nan() && isf.nan(),
+                "quantile({p:e}) = {q:e}, isf = {isf:e}"
+            );
+            continue;
+        }
+        for theta in [q, isf] {
+            assert!(
+                theta >= start && theta <= T::END,
+                "θ = {theta:e} at p = {p:e}"
+            );
+        }
+        let [before, after] = around(q).map(|theta| law.cdf(theta));
+        bracket(p, before, after, q);
+        let [after, before] = around(isf).map(|theta| law.sf(theta));
+        bracket(p, before, after, isf);
+        round_trip(law, Tails::from_lower(p));
+        round_trip(law, Tails::from_upper(p));
+    }
+    if domain(a) && domain(b) {
+        let (a, b) = if a <= b { (a, b) } else { (b, a) };
+        ordered(law.quantile(a), law.quantile(b));
+        ordered(law.isf(b), law.isf(a));
+    }
+}
+
+fn around<T: Float>(theta: T) -> [T; 2] {
+    let steps = 0..BRACKET_STEPS;
+    [
+        steps.clone().fold(theta, |theta, _| theta.below()),
+        steps.fold(theta, |theta, _| theta.above()),
+    ]
+}
+
+#[track_caller]
+fn bracket<T: Float>(p: T, before: T, after: T, at: T) {
+    let slack = BRACKET_ULP * T::ULP;
+    let (low, high) = (before.wide() * (1.0 - slack), after.wide() * (1.0 + slack));
+    let inside = low - 2.0 * T::SMALLEST <= p.wide() && p.wide() <= high + 2.0 * T::SMALLEST;
+    assert!(
+        inside,
+        "p = {p:e} is not within [{before:e}, {after:e}], θ = {at:e}"
+    );
+}
+
+#[track_caller]
+fn round_trip<T: Float, L: Law<T>>(law: &L, p: Tails<T>) {
+    let back = law.unwarp_tails(law.warp_tails(p));
+    let nearer = if p.upper() <= p.lower() {
+        [p, back].map(Tails::upper)
+    } else {
+        [p, back].map(Tails::lower)
+    };
+    let [p, back] = nearer.map(T::wide);
+    let units = 1.0 + p.max(T::SMALLEST).ln().abs();
+    assert_close::<T>(back, p, ROUND_TRIP_ULP * units, "unwarp(warp(p))");
+}
+
+#[track_caller]
+fn ordered<T: Float>(low: T, high: T) {
+    let size = low.wide().abs().max(high.wide().abs());
+    let slack = ORDER_ULP * T::ULP * size + 2.0 * T::SMALLEST;
+    assert!(
+        low.wide() <= high.wide() + slack,
+        "{low:e} comes after {high:e}"
+    );
+}

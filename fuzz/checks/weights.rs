@@ -1,0 +1,70 @@
+//! Weights of multiple importance sampling, at any bits.
+
+use super::float::Float;
+use super::input::Words;
+use coslobe::{balance_heuristic, power_heuristic};
+
+/// w(a, b) + w(b, a) against 1.
+const SUM_ULP: f64 = 4.0;
+/// The weight against its definition in f64, for `f32`; its own error for `f64`.
+const VALUE_ULP: f64 = 6.0;
+
+/// Words: two densities. (`lambert_weight` is checked with the densities, which define it.)
+pub fn check(data: &[u8]) {
+    all::<f32>(Words::new(data));
+    all::<f64>(Words::new(data));
+}
+
+fn all<T: Float>(mut words: Words) {
+    let a = T::both(words.word(), 0.0, 2.0);
+    let b = T::both(words.word(), 0.0, 2.0);
+    for (a, b) in [(a[0], b[0]), (a[1], b[1]), (a[0], a[0]), (a[0], b[1])] {
+        heuristic(balance_heuristic, a, b, |ratio| ratio);
+        heuristic(power_heuristic, a, b, |ratio| ratio * ratio);
+    }
+}
+
+/// `weight(a, b)` = f(a/b) / (1 + f(a/b)).
+fn heuristic<T: Float>(weight: fn(T, T) -> T, a: T, b: T, f: fn(f64) -> f64) {
+    let (w, mirrored) = (weight(a, b), weight(b, a));
+    let (x, y) = (a.wide(), b.wide());
+    let valid = x >= 0.0 && y >= 0.0;
+    assert_eq!(
+        [w.nan(), mirrored.nan()],
+        [!valid; 2],
+        "{w:e} at {a:e}, {b:e}"
+    );
+    if !valid {
+        return;
+    }
+    for w in [w, mirrored] {
+        assert!(
+            (0.0..=1.0).contains(&w.wide()) && !w.negative(),
+            "{w:e} at {a:e}, {b:e}"
+        );
+    }
+    let sum = w.wide() + mirrored.wide();
+    let expected = if x == 0.0 && y == 0.0 { 0.0 } else { 1.0 };
+    assert!(
+        (sum - expected).abs() <= SUM_ULP * T::ULP,
+        "{w:e} + {mirrored:e} at {a:e}, {b:e}"
+    );
+    // The limits, then the definition where no limit is near.
+    let ratio = f(x / y);
+    if x.is_finite() && y.is_finite() && ratio.is_normal() {
+        let exact = 1.0 / (1.0 + 1.0 / ratio);
+        let slack = VALUE_ULP * T::ULP * exact + 2.0 * T::SMALLEST;
+        assert!(
+            (w.wide() - exact).abs() <= slack,
+            "{w:e} is not {exact:e} at {a:e}, {b:e}"
+        );
+    } else if x.is_infinite() != y.is_infinite() {
+        assert_eq!(
+            w.wide(),
+            f64::from(u8::from(x.is_infinite())),
+            "at {a:e}, {b:e}"
+        );
+    } else if x == y && x > 0.0 {
+        assert_eq!(w.wide(), 0.5, "at {a:e}, {b:e}");
+    }
+}
