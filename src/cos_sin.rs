@@ -18,6 +18,24 @@ pub struct CosSin<T> {
 }
 
 impl<T: Real> CosSin<T> {
+    /// (cos²θ, sin²θ), both from the smaller component: the larger holds fewer digits of θ.
+    #[inline(always)]
+    pub(crate) fn squares(self) -> Self {
+        if self.sin < self.cos {
+            let sin = self.sin * self.sin;
+            CosSin {
+                cos: T::ONE - sin,
+                sin,
+            }
+        } else {
+            let cos = self.cos * self.cos;
+            CosSin {
+                cos,
+                sin: T::ONE - cos,
+            }
+        }
+    }
+
     /// √(x² + y²) without overflow or underflow on the way. Error < 2 ulp.
     pub(crate) fn hypot(x: T, y: T) -> T {
         let (x, y) = (x.abs(), y.abs());

@@ -3,6 +3,15 @@
 use super::pair::Pair;
 use crate::number::Real;
 
+/// Adds what rounding took from a cube root t = ∛x.
+#[inline]
+pub(crate) fn refine<T: Real>(t: T, x: T) -> Pair<T> {
+    let square = Pair::product(t, t);
+    let cube = square.mul(Pair::exact(t));
+    let rest = ((x - cube.hi) - cube.lo) / (square.hi * T::int(3));
+    Pair::fast_sum(t, rest)
+}
+
 /// ∛(k·x) for x ≥ 0 and moderate k > 0; subnormal x keeps its precision. Error < 1 ulp.
 ///
 /// The last iterate is cut to half its digits, so that its square is exact and the residual
@@ -15,7 +24,8 @@ pub(crate) fn cbrt_times<T: Real>(k: Pair<T>, x: T) -> T {
     let mut t = y.cbrt_guess();
     for _ in 0..T::CBRT_STEPS {
         let cube = t * t * t;
-        t = t + t * (y - cube) / (cube + cube + y);
+        // The ratio first: t·(y − t³) alone could underflow.
+        t = t + t * ((y - cube) / (cube + cube + y));
     }
     let t = t.leading_half();
     let r = y / (t * t);

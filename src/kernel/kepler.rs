@@ -57,9 +57,10 @@ fn solve<T: Real>(p: T) -> (Pair<T>, bool) {
     } else {
         let d = T::HALF - p;
         let w = d * d;
-        let line = d * table.half_pi.hi;
-        let rest = d * (table.half_pi.lo + w * horner(w, table.kepler_centre));
-        (Pair::fast_sum(line, rest), false)
+        // θ = d + (d/2 + small): d is exact, so rounding cannot undo a step of it and θ is monotone.
+        let excess = (table.half_pi.hi - T::ONE - T::HALF) + table.half_pi.lo;
+        let rest = d * T::HALF + d * (excess + w * horner(w, table.kepler_centre));
+        (Pair::fast_sum(d, rest), false)
     }
 }
 
@@ -76,13 +77,14 @@ pub(crate) fn pair_at_tail<T: Real>(p: T) -> CosSin<T> {
     }
 }
 
-/// |θ| at the nearer tail p.
+/// |θ| at the nearer tail p. Rounded once from a pair, hence monotone in p.
 #[inline]
 pub(crate) fn angle_at_tail<T: Real>(p: T) -> T {
     let (x, at_end) = solve(p);
     if at_end {
         let end = T::TABLE.half_pi;
-        (end.hi - x.hi) + (end.lo - x.lo)
+        let theta = Pair::fast_sum(end.hi, -x.hi);
+        theta.hi + (theta.lo + (end.lo - x.lo))
     } else {
         x.value()
     }

@@ -6,6 +6,7 @@ pub(crate) mod moment;
 pub(crate) mod pair;
 pub(crate) mod poly;
 pub(crate) mod power;
+pub(crate) mod root;
 pub(crate) mod select;
 pub(crate) mod table;
 pub(crate) mod table_f32;

@@ -4,7 +4,7 @@ use crate::number::Real;
 
 /// The value `hi + lo`, `lo` small against `hi`.
 #[derive(Clone, Copy, Debug)]
-pub struct Pair<T> {
+pub(crate) struct Pair<T> {
     pub(crate) hi: T,
     pub(crate) lo: T,
 }

@@ -4,7 +4,7 @@ use super::pair::Pair;
 use crate::Moments;
 
 /// A power series whose leading coefficients are kept as pairs.
-pub struct Series<T: 'static> {
+pub(crate) struct Series<T: 'static> {
     pub(crate) head: &'static [Pair<T>],
     pub(crate) tail: &'static [T],
 }

@@ -1,24 +1,25 @@
 //! (cos 2πu, sin 2πu) of an angle in turns, with no range reduction to lose digits in.
 
+use super::pair::Pair;
 use super::poly::horner;
 use crate::CosSin;
 use crate::number::Real;
 
-/// (cos 2πx, sin 2πx) for |x| ≤ 1/8. Error < 1 ulp.
-#[inline]
-pub(crate) fn eighth<T: Real>(x: T) -> CosSin<T> {
-    let table = &T::TABLE;
+/// (cos, sin) of 2πx = `slope`·`arg` for |x| ≤ 1/8, where `slope` is 2π times `share`.
+#[inline(always)]
+fn eighth<T: Real>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
     let v = x * x;
+    let bend = v * share * horner(v, T::TABLE.sin_turn);
     CosSin {
-        cos: T::ONE + v * horner(v, table.cos_turn),
-        sin: x * table.two_pi.hi + x * (table.two_pi.lo + v * horner(v, table.sin_turn)),
+        cos: T::ONE + v * horner(v, T::TABLE.cos_turn),
+        sin: arg * slope.hi + arg * (slope.lo + bend),
     }
 }
 
 /// The pair at `quadrant`/4 + x turns, |x| ≤ 1/8.
 #[inline]
 pub(crate) fn at_quadrant<T: Real>(quadrant: u32, x: T) -> CosSin<T> {
-    let CosSin { cos, sin } = eighth(x);
+    let CosSin { cos, sin } = eighth(x, x, T::TABLE.two_pi, T::ONE);
     let (c, s) = if quadrant & 1 == 0 {
         (cos, sin)
     } else {
@@ -43,7 +44,9 @@ pub(crate) fn at_turn<T: Real>(u: T) -> CosSin<T> {
 pub(crate) fn half_turn<T: Real>(p: T) -> CosSin<T> {
     let d = T::HALF - p;
     let near = p < T::QUARTER;
-    let CosSin { cos, sin } = eighth((if near { p } else { d }) * T::HALF);
+    // The argument stays p: half a subnormal p would lose its last bit.
+    let arg = if near { p } else { d };
+    let CosSin { cos, sin } = eighth(arg * T::HALF, arg, T::TABLE.pi, T::HALF);
     if near {
         CosSin { cos: sin, sin: cos }
     } else {

@@ -1,6 +1,7 @@
 //! Uniform by volume in a ball.
 
 use super::{Law, Spatial};
+use crate::kernel::root::sqrt_scaled;
 use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
 use crate::kernel::trig::at_angle;
 use crate::number::Real;
@@ -76,14 +77,14 @@ impl<T: Real> Law<T> for Ball {
         let cos_squared = p.upper().sqrt();
         CosSin {
             cos: cos_squared.sqrt(),
-            sin: (p.lower() / (T::ONE + cos_squared)).sqrt(),
+            sin: sqrt_scaled(p.lower(), |x| x / (T::ONE + cos_squared)),
         }
     }
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
-        let c2 = at.cos * at.cos;
-        let lower = at.sin * at.sin * (T::ONE + c2);
+        let CosSin { cos: c2, sin: s2 } = at.squares();
+        let lower = s2 * (T::ONE + c2);
         spatial_pair_tails(at, Tails::from_both(lower, c2 * c2))
     }
 

@@ -70,10 +70,15 @@ impl<T: Real> Law<T> for CircleShell {
     #[inline]
     fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
         let (p, is_upper) = p.nearer();
-        let product = p * (T::ONE - p);
         let sin = T::ONE - (p + p);
+        // 4p(1 − p), each half in the order that keeps it monotone in p.
+        let cos_squared = if p < T::QUARTER {
+            (p - p * p) * T::int(4)
+        } else {
+            T::ONE - sin * sin
+        };
         CosSin {
-            cos: product.sqrt() * T::int(2),
+            cos: cos_squared.sqrt(),
             sin: if is_upper { sin } else { -sin },
         }
     }

@@ -183,7 +183,7 @@ impl<T: Real> Law<T> for CosPower<T> {
         let twice = a.add(a);
         let sin = if -a.hi < T::NEGLIGIBLE * T::NEGLIGIBLE {
             // sin²θ = −2a, which for large k underflows before its root does.
-            (lower + lower).sqrt() / next.hi.sqrt()
+            (-(log.hi + log.hi)).sqrt() / next.hi.sqrt()
         } else {
             one_minus_exp(twice).sqrt()
         };

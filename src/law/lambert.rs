@@ -77,7 +77,8 @@ impl<T: Real> Law<T> for Lambert {
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
-        spatial_pair_tails(at, Tails::from_both(at.sin * at.sin, at.cos * at.cos))
+        let CosSin { cos: c2, sin: s2 } = at.squares();
+        spatial_pair_tails(at, Tails::from_both(s2, c2))
     }
 
     #[inline]

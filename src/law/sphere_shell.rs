@@ -1,10 +1,11 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
 use super::{Law, Spatial};
-use crate::kernel::cbrt::cbrt_times;
+use crate::kernel::cbrt::{cbrt_times, refine};
 use crate::kernel::pair::Pair;
+use crate::kernel::root::{sqrt_pair, sqrt_scaled};
 use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
-use crate::kernel::trig::at_angle;
+use crate::kernel::trig::{angle, at_angle};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -80,14 +81,31 @@ impl<T: Real> Law<T> for SphereShell {
         let ratio = (T::ONE + cos) / (T::ONE + cos + cos * cos);
         CosSin {
             cos,
-            sin: (p.lower() * ratio).sqrt(),
+            sin: sqrt_scaled(p.lower(), |x| x * ratio),
         }
     }
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
-        let lower = lower_tail(at.cos, at.sin * at.sin);
-        spatial_pair_tails(at, Tails::from_both(lower, at.cos * at.cos * at.cos))
+        let CosSin { cos: c2, sin: s2 } = at.squares();
+        let lower = lower_tail(at.cos, s2);
+        spatial_pair_tails(at, Tails::from_both(lower, c2 * at.cos))
+    }
+
+    /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
+    #[inline]
+    fn quantile_tails(&self, p: Tails<T>) -> T {
+        let at = self.warp_tails(p);
+        // Below this the ratio of the tails is 2/3 to all digits, and cubes would underflow.
+        let tiny = T::NEGLIGIBLE * T::NEGLIGIBLE;
+        if p.lower() < tiny || p.upper() < tiny {
+            return angle(at);
+        }
+        let (one, cos) = (Pair::exact(T::ONE), refine(at.cos, p.upper()));
+        let next = one.add(cos);
+        let square = next.div(next.add(cos.mul(cos)));
+        let sin = sqrt_pair(square.mul(Pair::exact(p.lower())));
+        angle(CosSin { cos: at.cos, sin })
     }
 
     #[inline]

@@ -27,6 +27,8 @@ impl Kernel for f32 {
     // FRAC_PI_2 as f32 lies 4.4e-8 beyond π/2.
     const HALF_PI_DOWN: f32 = f32::from_bits(core::f32::consts::FRAC_PI_2.to_bits() - 1);
     const NEGLIGIBLE: f32 = power_of_two(-18);
+    const ROOT_UP: f32 = power_of_two(24);
+    const ROOT_DOWN: f32 = power_of_two(-12);
     const CBRT_TINY: f32 = power_of_two(-100);
     const CBRT_UP: f32 = power_of_two(60);
     const CBRT_DOWN: f32 = power_of_two(-20);

@@ -27,6 +27,8 @@ impl Kernel for f64 {
     // FRAC_PI_2 as f64 lies 6.1e-17 inside π/2.
     const HALF_PI_DOWN: f64 = core::f64::consts::FRAC_PI_2;
     const NEGLIGIBLE: f64 = power_of_two(-34);
+    const ROOT_UP: f64 = power_of_two(54);
+    const ROOT_DOWN: f64 = power_of_two(-27);
     const CBRT_TINY: f64 = power_of_two(-900);
     const CBRT_UP: f64 = power_of_two(300);
     const CBRT_DOWN: f64 = power_of_two(-100);

@@ -44,6 +44,9 @@ pub(crate) mod kernel {
         const HALF_PI_DOWN: Self;
         /// Half the format's significand: below it 1 − x²/2 is 1 to twice the precision.
         const NEGLIGIBLE: Self;
+        /// A power of 4 that makes every subnormal normal, and the inverse of its root.
+        const ROOT_UP: Self;
+        const ROOT_DOWN: Self;
         /// Below this, a cube root is taken of x·`CBRT_UP` and scaled back by `CBRT_DOWN`.
         const CBRT_TINY: Self;
         const CBRT_UP: Self;
