@@ -7,7 +7,6 @@ use core::fmt;
 ///
 /// Around +y it is the identity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame<T> {
     tangent: [T; 3],

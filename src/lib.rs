@@ -5,6 +5,7 @@
 
 mod cos_sin;
 mod frame;
+pub mod integration;
 mod kernel;
 mod law;
 mod moments;

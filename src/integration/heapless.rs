@@ -25,7 +25,8 @@ where
     R: Rng + ?Sized,
 {
     let before = out.len();
-    out.extend((before..CAP).map(|_| law.sample(rng)));
+    // Not extend, which links a panic.
+    while !out.is_full() && out.push(law.sample(rng)).is_ok() {}
     out.len() - before
 }
 
@@ -50,6 +51,7 @@ where
     R: Rng + ?Sized,
 {
     let before = out.len();
-    out.extend((before..CAP).map(|_| law.sample(rng)));
+    // Not extend, which links a panic.
+    while !out.is_full() && out.push(law.sample(rng)).is_ok() {}
     out.len() - before
 }

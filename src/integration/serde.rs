@@ -43,7 +43,8 @@ impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for Radius<T> {
     }
 }
 
-/// As its normal alone, from which the same axes are rebuilt bit for bit.
+/// As its normal alone, from which the same axes are rebuilt bit for bit where the format keeps the
+/// numbers' bits (serde_json's text: with its feature `float_roundtrip`).
 impl<T: Real + Serialize> Serialize for Frame<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let [_, normal, _] = self.axes();
@@ -79,7 +80,9 @@ impl fmt::Display for UnitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             UnitError::Normal(error) => error.fmt(f),
-            UnitError::Length => f.write_str("the normal's length is not 1; expected a unit vector"),
+            UnitError::Length => {
+                f.write_str("the normal's length is not 1; expected a unit vector")
+            }
         }
     }
 }

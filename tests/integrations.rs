@@ -1,0 +1,224 @@
+//! The optional features: what each adds, and that none changes a value.
+
+#![cfg(any(
+    feature = "defmt",
+    feature = "heapless",
+    feature = "mint",
+    feature = "rand",
+    feature = "serde"
+))]
+
+#[cfg(any(feature = "heapless", feature = "rand"))]
+fn generator() -> rand_pcg::Pcg32 {
+    rand_pcg::Pcg32::new(0x0C05_10BE, 7)
+}
+
+#[cfg(feature = "rand")]
+mod rand {
+    use super::generator;
+    use ::rand::RngExt;
+    use ::rand::distr::Distribution;
+    use coslobe::{
+        Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Planar, Real, Spatial, SphereShell,
+    };
+
+    /// With `Distribution`, `Planar` and `Spatial` all in scope this has to compile.
+    #[test]
+    fn sample_is_not_ambiguous() {
+        let expected: [f32; 3] = Spatial::sample(&Ball, &mut generator());
+        let inherent: [f32; 3] = Ball.sample(&mut generator());
+        let through_rng: [f32; 3] = generator().sample(Ball);
+        assert_eq!([inherent, through_rng], [expected; 2]);
+
+        let expected: [f64; 2] = Planar::sample(&Disk, &mut generator());
+        let inherent: [f64; 2] = Disk.sample(&mut generator());
+        let through_rng: [f64; 2] = generator().sample(Disk);
+        assert_eq!([inherent, through_rng], [expected; 2]);
+    }
+
+    fn planar<T: Real, L: Planar<T> + Distribution<[T; 2]> + Copy>(law: L) {
+        let (mut a, mut b) = (generator(), generator());
+        for _ in 0..100 {
+            assert_eq!(Planar::sample(&law, &mut a), b.sample(law));
+        }
+        assert_eq!(a, b, "different words drawn");
+    }
+
+    fn spatial<T: Real, L: Spatial<T> + Distribution<[T; 3]> + Copy>(law: L) {
+        let (mut a, mut b) = (generator(), generator());
+        for _ in 0..100 {
+            assert_eq!(Spatial::sample(&law, &mut a), b.sample(law));
+        }
+        assert_eq!(a, b, "different words drawn");
+    }
+
+    fn every_law<T: Real>(lobe: CosPower<T>) {
+        planar::<T, _>(Disk);
+        planar::<T, _>(CircleShell);
+        planar::<T, _>(CircleArc);
+        spatial::<T, _>(Ball);
+        spatial::<T, _>(SphereShell);
+        spatial::<T, _>(Lambert);
+        spatial(lobe);
+    }
+
+    #[test]
+    fn a_distribution_has_the_bits_of_its_sampler() {
+        every_law(CosPower::new(7.5f32).unwrap());
+        every_law(CosPower::new(7.5f64).unwrap());
+    }
+}
+
+#[cfg(feature = "serde")]
+mod serde {
+    use ::serde::{Serialize, de::DeserializeOwned};
+    use coslobe::{Ball, CosPower, CosSin, Disk, Frame, Lambert, Law, Moments, Radius};
+    use serde_json::{from_str, from_value, to_string, to_value};
+
+    /// Through `Value`, which keeps every bit; serde_json's text may be an ulp off where it is read.
+    fn round_trip<T: Serialize + DeserializeOwned + PartialEq + core::fmt::Debug>(value: T) {
+        let tree = to_value(&value).unwrap();
+        assert_eq!(from_value::<T>(tree).unwrap(), value);
+    }
+
+    #[test]
+    fn values_come_back() {
+        round_trip(Ball);
+        round_trip(Disk);
+        round_trip(CosSin {
+            cos: 0.1f32,
+            sin: -0.3,
+        });
+        round_trip::<Moments<f64>>(Ball.moments());
+        for k in [0.0, 0.1, 64.0, 1e300] {
+            round_trip(CosPower::new(k).unwrap());
+        }
+        for rho in [f64::MIN_POSITIVE, 0.1, f64::MAX / 4.0] {
+            round_trip(Radius::new(rho).unwrap());
+        }
+    }
+
+    #[test]
+    fn frames_come_back_bit_for_bit() {
+        let mut rng = rand_pcg::Pcg32::new(1, 1);
+        for _ in 0..1000 {
+            let normal: [f32; 3] = Lambert.sample(&mut rng);
+            round_trip(Frame::from_unit(normal));
+            round_trip(Frame::new(normal.map(|c| f64::from(c) - 0.5)).unwrap());
+        }
+        assert_eq!(
+            to_string(&Frame::from_unit([0.0, 1.0, 0.0f32])).unwrap(),
+            "[0.0,1.0,0.0]"
+        );
+    }
+
+    fn error<T: DeserializeOwned + core::fmt::Debug>(text: &str) -> String {
+        from_str::<T>(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn invalid_values_are_clear_errors() {
+        assert!(
+            error::<CosPower<f32>>(r#"{"exponent":-2}"#).starts_with("the exponent is negative")
+        );
+        // Beyond f32: reads as infinite.
+        assert!(
+            error::<CosPower<f32>>(r#"{"exponent":1e39}"#).starts_with("the exponent is infinite")
+        );
+        assert!(error::<CosPower<f32>>("{}").starts_with("missing field `exponent`"));
+        assert!(error::<Radius<f64>>("0").starts_with("the radius is below"));
+        assert!(error::<Radius<f64>>("1e308").starts_with("the radius is above"));
+        assert!(error::<Frame<f64>>("[0,0,0]").starts_with("the normal is zero"));
+        assert!(error::<Frame<f64>>("[1,1,0]").starts_with("the normal's length is not 1"));
+        assert!(error::<Frame<f32>>("[1e39,0,0]").starts_with("the normal has a NaN or infinite"));
+        assert!(error::<Frame<f32>>("[1e30,0,0]").starts_with("the normal's length is not 1"));
+    }
+}
+
+#[cfg(feature = "mint")]
+mod mint {
+    use ::mint::{ColumnMatrix3, Vector2};
+    use coslobe::{CosSin, Frame};
+
+    #[test]
+    fn a_pair_is_a_vector_in_the_axes_of_the_paper() {
+        let at = CosSin {
+            cos: 0.6f32,
+            sin: -0.8,
+        };
+        let v = Vector2::from(at);
+        assert_eq!([v.x, v.y], [-0.8, 0.6]);
+        assert_eq!(CosSin::from(v), at);
+    }
+
+    #[test]
+    fn a_frame_is_the_matrix_that_takes_local_to_world() {
+        let frame = Frame::new([1.0, -2.0, 3.0f64]).unwrap();
+        let m: [[f64; 3]; 3] = ColumnMatrix3::from(frame).into();
+        assert_eq!(m, frame.axes());
+        let local = [0.25, 0.5, -0.75];
+        let product: [f64; 3] =
+            core::array::from_fn(|i| local[0] * m[0][i] + local[1] * m[1][i] + local[2] * m[2][i]);
+        assert_eq!(product, frame.to_world(local));
+    }
+}
+
+#[cfg(feature = "heapless")]
+mod heapless {
+    use super::generator;
+    use ::heapless::Vec;
+    use coslobe::integration::heapless::{fill_planar, fill_spatial};
+    use coslobe::{CircleArc, CosPower, Planar, Spatial};
+
+    #[test]
+    fn fills_what_is_free_with_the_samples_in_order() {
+        let (mut a, mut b) = (generator(), generator());
+        let mut rays = Vec::<[f32; 2], 16>::new();
+        rays.push([9.0, 9.0]).unwrap();
+        assert_eq!(fill_planar(&CircleArc, &mut a, &mut rays), 15);
+        assert_eq!(rays[0], [9.0, 9.0]);
+        for &ray in &rays[1..] {
+            assert_eq!(ray, Planar::sample(&CircleArc, &mut b));
+        }
+        assert_eq!(a, b, "a word was drawn for nothing");
+        assert_eq!(fill_planar(&CircleArc, &mut a, &mut rays), 0);
+        assert_eq!(a, b, "a full vector drew a word");
+    }
+
+    #[test]
+    fn fills_space_and_nothing() {
+        let (mut a, mut b) = (generator(), generator());
+        let lobe = CosPower::new(2.5f64).unwrap();
+        let mut rays = Vec::<[f64; 3], 5>::new();
+        assert_eq!(fill_spatial(&lobe, &mut a, &mut rays), 5);
+        for &ray in &rays {
+            assert_eq!(ray, Spatial::sample(&lobe, &mut b));
+        }
+        assert_eq!(
+            fill_spatial(&lobe, &mut a, &mut Vec::<[f64; 3], 0>::new()),
+            0
+        );
+        assert_eq!(a, b);
+    }
+}
+
+#[cfg(feature = "defmt")]
+mod defmt {
+    use coslobe::{
+        Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, ExponentError, Frame, Lambert,
+        Measure, Moments, NormalError, Radius, RadiusError, SphereShell, Tails,
+    };
+
+    /// Only its type is checked: running `Format` needs a logger, which a host has not.
+    fn is_format<T: ::defmt::Format>() {}
+
+    #[test]
+    fn public_types_can_be_logged() {
+        is_format::<(Disk, CircleShell, CircleArc)>();
+        is_format::<(Ball, SphereShell, Lambert)>();
+        is_format::<(CosPower<f32>, CosPower<f64>)>();
+        is_format::<(CosSin<f32>, Tails<f64>, Moments<f32>)>();
+        is_format::<(Radius<f32>, Frame<f32>, Measure)>();
+        is_format::<(ExponentError, RadiusError, NormalError)>();
+    }
+}
