@@ -178,7 +178,8 @@ mod heapless {
         assert_eq!(fill_planar(&CircleArc, &mut a, &mut rays), 15);
         assert_eq!(rays[0], [9.0, 9.0]);
         for &ray in &rays[1..] {
-            assert_eq!(ray, Planar::sample(&CircleArc, &mut b));
+            let alone: [f32; 2] = Planar::sample(&CircleArc, &mut b);
+            assert_eq!(ray, alone);
         }
         assert_eq!(a, b, "a word was drawn for nothing");
         assert_eq!(fill_planar(&CircleArc, &mut a, &mut rays), 0);
@@ -192,7 +193,8 @@ mod heapless {
         let mut rays = Vec::<[f64; 3], 5>::new();
         assert_eq!(fill_spatial(&lobe, &mut a, &mut rays), 5);
         for &ray in &rays {
-            assert_eq!(ray, Spatial::sample(&lobe, &mut b));
+            let alone: [f64; 3] = Spatial::sample(&lobe, &mut b);
+            assert_eq!(ray, alone);
         }
         assert_eq!(
             fill_spatial(&lobe, &mut a, &mut Vec::<[f64; 3], 0>::new()),
