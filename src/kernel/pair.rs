@@ -44,7 +44,7 @@ impl<T: Real> Pair<T> {
         let (al, bl) = (a - ah, b - bh);
         Pair {
             hi,
-            lo: ((ah * bh - hi) + (ah * bl + al * bh)) + al * bl,
+            lo: (((ah * bh - hi) + ah * bl) + al * bh) + al * bl,
         }
     }
 
