@@ -99,6 +99,10 @@ def main():
         write("quantiles", name, [word, up])
         write("warps", name, [word, up])
         write("warps", f"{name}-turn", [f64(0.5) + word % 7, word])
+    for name, (bits, sign, normal, least) in FORMATS.items():
+        # Just below the seam of the azimuth, where a turn rounds up to 1.
+        for key, z in {"least": least, "normal": normal, "axis": 0.0}.items():
+            write("warps", f"{name}-seam-{key}", [bits(0.5), bits(1.0), bits(z) | sign])
     for name, data in STUCK.items():
         write("samples", name, [], data)
         write("points", f"stuck-{name}", [f64(1.0), 1 << 62, 3 << 61, f64(0.5)], data)

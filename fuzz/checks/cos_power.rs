@@ -6,15 +6,23 @@ use super::measure::{assert_close, context};
 use super::samples::Drawn;
 use super::{densities, quantiles, samples, warps};
 use coslobe::{Ball, CosPower, CosSin, ExponentError, Lambert, Law, Spatial, SphereShell};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A law of its own type against `CosPower` at its exponent.
 const AGREE_ULP: f64 = 8.0;
+/// `f32` against the same formula in `f64`: the plain tier's bound.
+const REFERENCE_ULP: f64 = 4.0;
 
 /// Words: k; θ or cos θ; sin θ or a probability; a second one. The whole input is the generator.
 pub fn check(data: &[u8]) {
     all::<f32>(data);
     all::<f64>(data);
+    let mut words = Words::new(data);
+    let ks = f32::both(words.word(), 0.0, 1e4);
+    let thetas = f32::both(words.word(), 0.0, FRAC_PI_2);
+    for law in ks.into_iter().filter_map(law) {
+        thetas.map(|theta| reference(&law, theta));
+    }
 }
 
 fn all<T: Float + Drawn>(data: &[u8]) {
@@ -46,6 +54,31 @@ fn all<T: Float + Drawn>(data: &[u8]) {
     agrees(&Lambert, 1.0, pair_at::<T>(angle), T::narrow(angle));
     agrees(&SphereShell, 2.0, pair_at::<T>(angle), T::narrow(angle));
     agrees(&Ball, 3.0, pair_at::<T>(angle), T::narrow(angle));
+}
+
+/// `f32` against the formula in `f64`, whose 29 more bits outlast any k that leaves cosᵏθ normal.
+fn reference(law: &CosPower<f32>, theta: f32) {
+    let (k, x) = (law.exponent().wide(), theta.wide());
+    if !(x >= 0.0 && theta <= f32::END) {
+        return;
+    }
+    let ln_cos = if x < 0.5 {
+        (-x.sin() * x.sin()).ln_1p() / 2.0
+    } else {
+        x.cos().ln()
+    };
+    let density = (k + 1.0) / TAU * (k * ln_cos).exp();
+    let pairs = [
+        (law.pdf_solid_angle(theta), density),
+        (law.pdf(theta), density * x.sin()),
+        (law.sf(theta), ((k + 1.0) * ln_cos).exp()),
+        (law.cdf(theta), -((k + 1.0) * ln_cos).exp_m1()),
+    ];
+    for (value, exact) in pairs {
+        if exact >= f32::NORMAL {
+            assert_close::<f32>(value.wide(), exact, REFERENCE_ULP, "CosPower against f64");
+        }
+    }
 }
 
 /// CosPower::new takes exactly what it says.

@@ -15,7 +15,7 @@ const TURN_ULP: f64 = 2.0;
 /// Below this many smallest normals, x and z are too short of digits to hold the azimuth.
 const SHORT: f64 = 1e3;
 
-/// Words: cdf of θ; azimuth in turns.
+/// Words: cdf of θ, or y; azimuth in turns, or x; z.
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
@@ -24,6 +24,12 @@ pub fn check(data: &[u8]) {
 fn all<T: Float>(mut words: Words) {
     let us = T::both(words.word(), 0.0, 1.0);
     let turns = T::both(words.word(), 0.0, 1.0);
+    let zs = T::both(words.word(), -1.0, 1.0);
+    for (x, z) in [(turns[0], zs[0]), (-turns[1], zs[0]), (turns[1], zs[1])] {
+        back(&Ball, [x, us[1], z]);
+        back(&SphereShell, [x, us[1], z]);
+        back(&Lambert, [x, us[1], z]);
+    }
     for (u, turn) in [(us[0], turns[0]), (us[1], turns[1]), (us[0], turns[1])] {
         planar(&Disk, u);
         planar(&CircleShell, u);
@@ -73,18 +79,18 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
         domain(back) && domain(back_turn) && back_turn.wide() < 1.0,
         "{back:e}, {back_turn:e}"
     );
-    // Compared at the nearer tail, so that a u near 1 does not hide an error of the other one.
-    let (u, back) = if u.wide() <= 0.5 {
-        (u.wide(), back.wide())
-    } else {
-        (1.0 - u.wide(), 1.0 - back.wide())
-    };
-    let units = 1.0 + u.max(T::SMALLEST).ln().abs();
-    let floor = if u == back { 0.0 } else { T::ULP };
-    if (u - back).abs() > floor {
-        assert_close::<T>(back, u, ROUND_TRIP_ULP * units, "unwarp_direction");
+    let long = d[0].wide().hypot(d[2].wide()) > SHORT * T::NORMAL;
+    // The nearer tail holds the digits; a number near 1 holds the farther one to an ulp of 1 only.
+    let nearer = u.wide().min(1.0 - u.wide());
+    let units = ROUND_TRIP_ULP * (1.0 + nearer.max(T::SMALLEST).ln().abs());
+    if u.wide() > 0.5 {
+        let slack = T::ULP * (1.0 + units * nearer);
+        let apart = (u.wide() - back.wide()).abs();
+        assert!(apart <= slack, "{u:e} came back as {back:e}");
+    } else if long {
+        assert_close::<T>(back.wide(), u.wide(), units, "unwarp_direction");
     }
-    if d[0].wide().hypot(d[2].wide()) > SHORT * T::NORMAL {
+    if long {
         let apart = (back_turn.wide() - turn.wide()).abs();
         let apart = apart.min(1.0 - apart);
         assert!(
@@ -92,6 +98,18 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
             "azimuth {turn:e} came back as {back_turn:e}"
         );
     }
+}
+
+/// The azimuth of any direction, of unit length or not, is in [0, 1).
+fn back<T: Float, L: Spatial<T>>(law: &L, d: [T; 3]) {
+    let _context = context::<T, L>();
+    let [_, turn] = law.unwarp_direction(d);
+    if d.iter().any(|c| c.nan()) {
+        assert!(d[1].nan() || turn.nan(), "{d:?} gives {turn:e}");
+        return;
+    }
+    assert_positive_or_zero(turn, "azimuth");
+    assert!(turn.wide() < 1.0, "azimuth {turn:e} of {d:?}");
 }
 
 fn pair<T: Float>(at: CosSin<T>, u: T) {
