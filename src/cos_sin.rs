@@ -40,7 +40,7 @@ impl<T: Real> CosSin<T> {
     pub(crate) fn hypot(x: T, y: T) -> T {
         let (x, y) = (x.abs(), y.abs());
         let (large, small) = if x > y { (x, y) } else { (y, x) };
-        if large == T::ZERO || !(large < T::INFINITY) {
+        if large == T::ZERO || !large.is_finite() {
             return large + small;
         }
         let ratio = small / large;

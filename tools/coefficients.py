@@ -280,6 +280,7 @@ def emit(bits, fits):
     pr = lambda x: "Pair { hi: %s, lo: %s }" % tuple(t(v) for v in pair(x, bits))
     lines = [
         f"//! Constants and coefficients for {ty}, written by `python3 tools/coefficients.py`: do not edit.",
+        "#![allow(clippy::approx_constant)] // the constants are the point",
         "",
         "use super::pair::Pair;",
         "use super::table::{Series, Table};",

@@ -192,3 +192,37 @@ def write(path, arguments, rows):
 
 write("tests/reference/angles.csv", angles(), angle_rows)
 write("tests/reference/tails.csv", tails(), tail_rows)
+
+
+def moment_rows():
+    """Closed forms in Arb where they exist; the angle's second moment for real k by quadrature."""
+    from mpmath import mp, mpf, quad, cos, pi, gamma, log, sqrt
+
+    mp.dps = 50
+    half = mpf(1) / 2
+    fixed = {
+        "Disk": (8 / (3 * pi), mpf(3) / 4, 0, pi**2 / 12 - half, log(2 * pi) - 1),
+        "CircleShell": (pi / 4, mpf(2) / 3, 0, pi**2 / 4 - 2, mpf(1)),
+        "CircleArc": (2 / pi, half, 0, pi**2 / 12, log(pi)),
+    }
+    powers = {"Ball": 3, "SphereShell": 2, "Lambert": 1}
+    powers |= {f"CosPower({k:g})": k for k in (0.0, 0.5, 1.0, 7.3, 20.0, 35.5, 1e4, 1e6)}
+    for name, k in powers.items():
+        n = mpf(k) + 1
+        mean = sqrt(pi) / 2 * gamma((n + 1) / 2) / gamma(n / 2 + 1)
+        # cos^n has width 1/sqrt(n): cut the range there for the quadrature.
+        cuts = [0] + [c / sqrt(n) for c in (1, 3, 6, 10, 20) if c / sqrt(n) < pi / 2] + [pi / 2]
+        second = 2 * quad(lambda t: t * abs(cos(t)) ** n, cuts)
+        fixed[name] = (n / (n + 1), n / (n + 2), mean, second, log(2 * pi / n) + (n - 1) / n)
+    for name, (cos1, cos2, theta1, theta2, entropy) in fixed.items():
+        yield name, "mean_cos", cos1
+        yield name, "var_cos", cos2 - cos1**2
+        yield name, "mean_theta", theta1
+        yield name, "var_theta", theta2 - mpf(theta1) ** 2
+        yield name, "entropy", entropy
+
+
+with open("tests/reference/moments.csv", "w") as f:
+    f.write("# Written by tools/reference.py (mpmath, 50 digits): law,moment,value as the bits of an f64.\n")
+    for law, moment, value in moment_rows():
+        f.write(f"{law},{moment},{bits(float(value))}\n")

@@ -1,4 +1,5 @@
 //! Constants and coefficients for f32, written by `python3 tools/coefficients.py`: do not edit.
+#![allow(clippy::approx_constant)] // the constants are the point
 
 use super::pair::Pair;
 use super::table::{Series, Table};
