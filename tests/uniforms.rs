@@ -80,7 +80,7 @@ fn azimuth_error(word: u32) -> f64 {
     error(at.cos, cos).max(error(at.sin, sin))
 }
 
-fn azimuths_within_two_ulps(stride: usize) {
+fn azimuths_within_bound(stride: usize) {
     let (mut worst, mut at) = (0.0, 0);
     for word in (0..=u32::MAX).step_by(stride) {
         let error = azimuth_error(word);
@@ -89,12 +89,12 @@ fn azimuths_within_two_ulps(stride: usize) {
         }
     }
     println!("azimuth f32: {worst:.3} ulp at word {at:#x}, stride {stride}");
-    assert!(worst <= 2.0, "{worst} ulp at word {at:#x}");
+    assert!(worst <= 2.5, "{worst} ulp at word {at:#x}");
 }
 
 #[test]
 fn azimuths_strided() {
-    azimuths_within_two_ulps(4001);
+    azimuths_within_bound(4001);
     for word in [
         0,
         1,
@@ -105,12 +105,12 @@ fn azimuths_strided() {
         1 << 31,
         (1 << 31) - 1,
     ] {
-        assert!(azimuth_error(word) <= 2.0, "{word:#x}");
+        assert!(azimuth_error(word) <= 2.5, "{word:#x}");
     }
 }
 
 #[test]
 #[ignore = "opt-in, minutes: cargo test --release --test uniforms -- --ignored --nocapture"]
 fn azimuths_exhaustive() {
-    azimuths_within_two_ulps(1);
+    azimuths_within_bound(1);
 }

@@ -18,11 +18,18 @@ use rand_core::Rng;
 /// and cdf 1 − cos⁴θ. As a sampler for a Lambert reflector its weight 1/(2 cos²θ) has infinite
 /// variance: see [`Law::lambert_weight`].
 ///
+/// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
+/// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
+/// `next_u64` for `f64`.
+///
 /// ```
 /// use coslobe::{Ball, Law};
 /// let at = Ball.warp_sf(1e-8f64); // one direction in 10⁸ lies nearer to the horizon
 /// assert!((at.cos - 0.01).abs() < 1e-17);
 /// ```
+///
+/// Source: V. Chizhov, *Probability density functions of the normalized disk, circle, ball and
+/// sphere*, section 4.1.
 #[doc(alias = "normalized ball")]
 #[doc(alias = "cosine cubed")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -17,11 +17,16 @@ use rand_core::Rng;
 /// with cdf ½ + θ/π. This is what "uniform on the circle" gives; the paper's section 3.2 measures a
 /// radial shell instead and finds cos θ / 2, see [`CircleShell`](crate::CircleShell).
 ///
+/// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
+/// density is 0. Randomness of a sample: one `next_u64` for `f32`, two for `f64`.
+///
 /// ```
 /// use coslobe::{CircleArc, Law};
 /// let at = CircleArc.warp(1e-20f64); // 1e-20 of a half turn from −90°
 /// assert!((at.cos / (std::f64::consts::PI * 1e-20) - 1.0).abs() < 1e-15);
 /// ```
+///
+/// Source: Euclid, *Elements* III.21; the measure that section 3.2 of the paper describes.
 #[doc(alias = "uniform angle")]
 #[doc(alias = "inscribed angle")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

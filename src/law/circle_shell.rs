@@ -18,12 +18,18 @@ use rand_core::Rng;
 /// instead: the arc element has another factor √(r² + r′²)/r = 1/cos θ, which cancels the cosine.
 /// cos θ / 2 is a real law all the same, Lambert's and Knudsen's in a flat world.
 ///
+/// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
+/// density is 0. Randomness of a sample: one `next_u64` for `f32`, two for `f64`.
+///
 /// ```
 /// use coslobe::{CircleShell, Law};
 /// let at = CircleShell.warp(0.75f32);
 /// assert_eq!(at.sin, 0.5);
 /// assert_eq!(CircleShell.pdf(0.0f64), 0.5);
 /// ```
+///
+/// Source: V. Chizhov, *Probability density functions of the normalized disk, circle, ball and
+/// sphere*, section 3.2.
 #[doc(alias = "circle")]
 #[doc(alias = "normalized circle")]
 #[doc(alias = "Knudsen")]

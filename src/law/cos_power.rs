@@ -20,6 +20,10 @@ use rand_core::Rng;
 /// (whose own types are several times cheaper). Every finite k is accepted: cosᵏθ is formed from
 /// ln cos θ with extra digits, so a k of 10³⁰⁰ keeps its accuracy.
 ///
+/// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
+/// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
+/// `next_u64` for `f64`.
+///
 /// ```
 /// use coslobe::{CosPower, Law, Spatial};
 /// let lobe = CosPower::new(64.0f32)?;
@@ -27,6 +31,8 @@ use rand_core::Rng;
 /// assert!(CosPower::new(-1.0f32).is_err());
 /// # Ok::<(), coslobe::ExponentError>(())
 /// ```
+///
+/// Source: B. T. Phong, 1975, DOI 10.1145/360825.360839.
 #[doc(alias = "Phong")]
 #[doc(alias = "cosine lobe")]
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -19,11 +19,17 @@ use rand_core::Rng;
 /// [`SphereShell`](crate::SphereShell). Its weight for a Lambert reflector is 1: zero variance under a
 /// constant sky.
 ///
+/// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
+/// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
+/// `next_u64` for `f64`.
+///
 /// ```
 /// use coslobe::{Lambert, Law, Spatial, SphereArea};
 /// assert_eq!(Lambert.warp(0.25f64).sin, 0.5);
 /// assert_eq!(SphereArea.pdf_solid_angle(0.0), std::f64::consts::FRAC_1_PI);
 /// ```
+///
+/// Source: J. H. Lambert, *Photometria*, 1760; the measure that section 4 of the paper describes.
 #[doc(alias = "cosine-weighted hemisphere")]
 #[doc(alias = "cosine hemisphere")]
 #[doc(alias = "uniform sphere surface")]

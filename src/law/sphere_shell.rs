@@ -20,11 +20,18 @@ use rand_core::Rng;
 /// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law instead:
 /// the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here, ⅔ there.
 ///
+/// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
+/// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
+/// `next_u64` for `f64`.
+///
 /// ```
 /// use coslobe::{Law, SphereShell};
 /// let at = SphereShell.warp_sf(0.125f32);
 /// assert_eq!(at.cos, 0.5);
 /// ```
+///
+/// Source: V. Chizhov, *Probability density functions of the normalized disk, circle, ball and
+/// sphere*, section 4.2.
 #[doc(alias = "sphere")]
 #[doc(alias = "normalized sphere")]
 #[doc(alias = "cosine squared")]

@@ -3,7 +3,7 @@
 mod f32;
 mod f64;
 
-/// A number type that the laws work in: [`f32`] or [`f64`].
+/// A number type that the laws work in: [`prim@f32`] or [`prim@f64`].
 ///
 /// Sealed. Each type brings its constants, its polynomials and the few primitive kernels; every
 /// law is written once on top of them. `f32` is computed in `f32` alone, on every target.

@@ -125,7 +125,7 @@ fn cos_power<W: Wide>(law: Id, at: &Direction<W>) -> W {
         Id::CircleShell | Id::Lambert => c,
         Id::Disk | Id::SphereShell => c * c,
         Id::Ball => c * c * c,
-        Id::CosPower(k) if k == 0.0 => W::of(1.0),
+        Id::CosPower(0.0) => W::of(1.0),
         Id::CosPower(k) => (W::of(k) * at.ln_cos).exp(),
     }
 }

@@ -1,0 +1,2 @@
+#![doc = include_str!("../docs/bounds.md")]
+#![doc = include_str!("../docs/accuracy.md")]
