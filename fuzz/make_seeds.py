@@ -129,7 +129,8 @@ def main():
         for key, word in words.items():
             write("cos_power", f"{name}-{key}-end", [word, bits(math.pi / 2), bits(least), bits(0.5)])
             write("cos_power", f"{name}-{key}-axis", [word, bits(least), bits(1.0), bits(1.0) - 1])
-        densities = [zero, small, one, bits(math.inf), bits(math.inf) - 1, bits(math.nan), one | sign]
+        densities = [zero, small, one, bits(math.inf), bits(math.inf) - 1, bits(math.nan)]
+        densities += [one | sign, sign]
         for (i, a), (j, b) in itertools.product(enumerate(densities), repeat=2):
             if i <= j:
                 write("weights", f"{name}-{i}{j}", [a, b])

@@ -22,7 +22,7 @@ const LONGEST: f64 = 1.0;
 /// lambert_weight · density against cos θ/π (3D) or cos θ/2 (2D), the definition of the weight.
 const WEIGHT_ULP: f64 = 12.0;
 
-/// Words: θ; then a pair's cos and sin.
+/// Words: θ, or a pair's cos; its sin.
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
