@@ -1,6 +1,12 @@
 //! Uniforms: their intervals, grids and ends, and the azimuth's error.
 #![allow(clippy::incompatible_msrv)] // the MSRV is the core's; tests run on newer toolchains
 
+mod accuracy;
+
+use accuracy::double::Double;
+use accuracy::format::{Format, error_in_ulps};
+use accuracy::wide::Wide;
+use coslobe::CosSin;
 use coslobe::uniform::{azimuth_from_bits, tails_from_bits};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -61,41 +67,66 @@ fn each_octave_of_the_tail_has_its_share() {
             })
             .count();
         let z = (below as f64 - f64::from(n) / 2.0) / (f64::from(n) / 4.0).sqrt();
-        assert!(depth == 60 || z.abs() < 4.5, "2^-{depth}: z = {z}");
+        assert!(z.abs() < 4.5, "2^-{depth}: z = {z}");
     }
 }
 
-/// Relative error in ulps of the exact value, which the folded angle in f64 gives.
-fn azimuth_error(word: u32) -> f64 {
-    let at = azimuth_from_bits::<f32>(word);
+/// The larger error in ulps of cos and sin at `quadrant`/4 + `turn`, |turn| ≤ ⅛.
+fn azimuth_error<T: Format>(got: CosSin<T>, quadrant: u64, turn: T::Wide, negative: bool) -> f64 {
+    let angle = turn * T::Wide::pi() * T::Wide::of(2.0);
+    let (sin, cos) = if negative { -angle } else { angle }.sin_cos();
+    let sin = if negative { -sin } else { sin };
+    let [c, s] = [[cos, sin], [-sin, cos], [-cos, -sin], [sin, -cos]][quadrant as usize & 3];
+    error_in_ulps(got.cos, c).max(error_in_ulps(got.sin, s))
+}
+
+fn f32_azimuth_error(word: u32) -> f64 {
     let quadrant = word.wrapping_add(1 << 29) >> 30;
     let rest = word.wrapping_sub(quadrant << 30) as i32;
-    let angle = (f64::from(rest) + 0.5) * 0.5f64.powi(32) * std::f64::consts::TAU;
-    let (s, c) = angle.sin_cos();
-    let (cos, sin) = [(c, s), (-s, c), (-c, -s), (s, -c)][quadrant as usize & 3];
-    let error = |got: f32, want: f64| {
-        let ulp = f64::from((want.abs() as f32).next_up()) - f64::from(want.abs() as f32);
-        (f64::from(got) - want).abs() / ulp
-    };
-    error(at.cos, cos).max(error(at.sin, sin))
+    let turn = (f64::from(rest) + 0.5) * 0.5f64.powi(32);
+    azimuth_error(
+        azimuth_from_bits::<f32>(word),
+        quadrant.into(),
+        turn,
+        rest < 0,
+    )
 }
 
-fn azimuths_within_bound(stride: usize) {
-    let (mut worst, mut at) = (0.0, 0);
-    for word in (0..=u32::MAX).step_by(stride) {
-        let error = azimuth_error(word);
-        if error > worst {
-            (worst, at) = (error, word);
+fn f64_azimuth_error(word: u64) -> f64 {
+    let quadrant = word.wrapping_add(1 << 61) >> 62;
+    let rest = word.wrapping_sub(quadrant << 62) as i64;
+    // The odd integer 2·rest + 1 as two words, each exact.
+    let odd = 2 * i128::from(rest) + 1;
+    let (high, low) = (
+        (odd >> 32) as f64 * 2f64.powi(32),
+        (odd & 0xFFFF_FFFF) as f64,
+    );
+    let turn = Double::sum(high, low).scale(-65);
+    azimuth_error(azimuth_from_bits::<f64>(word), quadrant, turn, rest < 0)
+}
+
+/// The worst over the words stays within what `uniform::azimuth_from_bits` states.
+fn azimuths_within_bound<W: Copy + std::fmt::LowerHex>(
+    words: impl Iterator<Item = W>,
+    error: impl Fn(W) -> f64,
+) {
+    let (mut worst, mut at, mut tried) = (0.0, None, 0u64);
+    for word in words {
+        let e = error(word);
+        tried += 1;
+        if e > worst {
+            (worst, at) = (e, Some(word));
         }
     }
-    println!("azimuth f32: {worst:.3} ulp at word {at:#x}, stride {stride}");
+    let at = at.expect("some error");
+    println!("azimuth: {worst:.3} ulp at word {at:#x}, {tried} words");
     assert!(worst <= 2.5, "{worst} ulp at word {at:#x}");
 }
 
 #[test]
-fn azimuths_strided() {
-    azimuths_within_bound(4001);
-    for word in [
+fn f32_azimuths() {
+    azimuths_within_bound((0..=u32::MAX).step_by(4001), f32_azimuth_error);
+    let edges = [
         0,
         1,
         u32::MAX,
@@ -104,13 +135,22 @@ fn azimuths_strided() {
         1 << 30,
         1 << 31,
         (1 << 31) - 1,
-    ] {
-        assert!(azimuth_error(word) <= 2.5, "{word:#x}");
-    }
+    ];
+    azimuths_within_bound(edges.into_iter(), f32_azimuth_error);
+}
+
+#[test]
+fn f64_azimuths() {
+    // Half of the words spread over the turn, half crowding towards the axes.
+    let words = (0..1_000_000u64).map(|i| {
+        let mixed = i.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        if i % 2 == 0 { mixed } else { mixed >> (i % 64) }
+    });
+    azimuths_within_bound(words, f64_azimuth_error);
 }
 
 #[test]
 #[ignore = "opt-in, minutes: cargo test --release --test uniforms -- --ignored --nocapture"]
-fn azimuths_exhaustive() {
-    azimuths_within_bound(1);
+fn f32_azimuths_exhaustive() {
+    azimuths_within_bound(0..=u32::MAX, f32_azimuth_error);
 }

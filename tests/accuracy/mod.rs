@@ -1,6 +1,6 @@
-//! Accuracy: references, sweeps and the table of allowed errors, shared by `tests/error_bounds.rs`
-//! and by `examples/accuracy.rs`, which writes the observed table.
-#![allow(dead_code, unreachable_pub)] // each of the two uses a part
+//! Accuracy: references, sweeps and the table of allowed errors, shared by the tests and by
+//! `examples/accuracy.rs`, which writes the observed table.
+#![allow(dead_code, unreachable_pub)] // each user needs a part
 
 pub mod bounds;
 pub mod double;
@@ -9,4 +9,5 @@ pub mod inputs;
 pub mod measure;
 pub mod monotone;
 pub mod reference;
+pub mod spoiled;
 pub mod wide;
