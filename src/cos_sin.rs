@@ -6,7 +6,8 @@ use crate::number::Real;
 ///
 /// Near the axis the sine, near the horizon the cosine holds the digits that an angle beside
 /// ±π/2 has lost; together they keep full relative accuracy everywhere. Operations that read a
-/// pair take the direction from the smaller of |cos| and |sin| unless they say otherwise.
+/// pair take the direction from the smaller of |cos| and |sin| unless they say otherwise. A pair that
+/// is not a unit vector to rounding is safe, but no value is promised for it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -31,6 +31,7 @@ fn combine<T: Real>(a: T, b: T, f: impl Fn(T) -> T) -> T {
     if !(a >= T::ZERO && b >= T::ZERO) {
         return T::NAN;
     }
+    let (a, b) = (a.abs(), b.abs());
     if a == b {
         return if a == T::ZERO { T::ZERO } else { T::HALF };
     }

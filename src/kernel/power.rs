@@ -50,10 +50,13 @@ pub(crate) fn ln_cos_power<T: Real>(k: Pair<T>, at: PairCosSin<T>) -> Pair<T> {
     } else {
         k.mul(ln_cos(at))
     };
+    // An overflow leaves ∞ − ∞ in the pair; the logarithm is negative, so k tells the sign.
     if product.hi.is_finite() {
         product
+    } else if k.hi > T::ZERO {
+        Pair::exact(-T::INFINITY)
     } else {
-        Pair::exact(product.hi)
+        Pair::exact(T::INFINITY)
     }
 }
 

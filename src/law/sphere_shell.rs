@@ -96,7 +96,7 @@ impl<T: Real> Law<T> for SphereShell {
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = lower_tail(at.cos, s2);
-        spatial_pair_tails(at, Tails::from_both(lower, c2 * at.cos))
+        spatial_pair_tails(at, Tails::from_both(lower, c2 * at.cos.abs()))
     }
 
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.

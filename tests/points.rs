@@ -1,0 +1,160 @@
+//! Points before normalisation: distances and densities against the formulas in wider arithmetic.
+
+mod accuracy;
+
+use accuracy::format::{Format, error_in_ulps, ulp};
+use accuracy::wide::Wide;
+use coslobe::{
+    Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Law, Measure, Radius, SphereShell, Tangent,
+};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+/// Allowed ulps, as the docs of `Tangent` state.
+const DISTANCE: f64 = 4.0;
+const DENSITY: f64 = 4.0;
+
+/// The density's coefficient, power of ρ, and the root of v in the distance.
+fn shape<W: Wide>(measure: Measure) -> Option<(W, i32, i32)> {
+    let (one, pi) = (W::of(1.0), W::pi());
+    match measure {
+        Measure::Area => Some((one / pi, 2, 2)),
+        Measure::ArcLength => Some((one / (pi * W::of(2.0)), 1, 0)),
+        Measure::Volume => Some((W::of(3.0) / (pi * W::of(4.0)), 3, 3)),
+        Measure::SurfaceArea => Some((one / (pi * W::of(4.0)), 2, 0)),
+        Measure::CircleShell | Measure::SphereShell => None,
+    }
+}
+
+fn judge<T: Format, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
+    let radius = Radius::new(rho).expect("a valid radius");
+    let at = law.warp_sf(u);
+    let r = law.distance(radius, at, v);
+    let (wide_rho, cos) = (T::Wide::of(rho.wide()), T::Wide::of(at.cos.wide()));
+    let wide_v = T::Wide::of(v.wide());
+    let place = format!("{:?} rho {rho:?} u {u:?} v {v:?}", L::MEASURE);
+    let Some((coefficient, power, root)) = shape::<T::Wide>(L::MEASURE) else {
+        // The shells' coefficient of δ is the pdf in θ.
+        let pdf = law.density(at)
+            * if L::MEASURE == Measure::SphereShell {
+                at.sin
+            } else {
+                T::round(1.0)
+            };
+        assert_eq!(
+            law.point_density(radius, at, r).bits(),
+            pdf.bits(),
+            "{place}"
+        );
+        return;
+    };
+    let share = match root {
+        2 => wide_v.root(),
+        3 => wide_v.cube_root(),
+        _ => T::Wide::of(1.0),
+    };
+    // Halves first: ρ cos θ · share cannot overflow, and the last doubling is exact.
+    let distance = wide_rho * (cos * share) * T::Wide::of(2.0);
+    assert!(
+        error_in_ulps(r, distance) <= DISTANCE,
+        "{place}: distance {r:?}"
+    );
+    let mut density = coefficient;
+    for _ in 0..power {
+        density = density / wide_rho;
+    }
+    let got = law.point_density(radius, at, r);
+    // A double-double that overflows is ∞ − ∞.
+    let near = if density.near().is_nan() {
+        f64::INFINITY
+    } else {
+        density.near()
+    };
+    if near.is_finite() && near > 0.0 {
+        assert!(
+            error_in_ulps(got, density) <= DENSITY,
+            "{place}: density {got:?}"
+        );
+    } else {
+        assert!(got.wide() == near, "{place}: density {got:?}");
+    }
+    let log = coefficient.ln() - wide_rho.ln() * T::Wide::of(f64::from(power));
+    let scale = wide_rho.ln().near().abs().max(1.0) * f64::from(power);
+    let error = log.minus(law.ln_point_density(radius, at, r).wide()).abs();
+    assert!(
+        error <= DENSITY * ulp::<T>(scale),
+        "{place}: ln density off by {error:e}"
+    );
+    if root > 0 {
+        let beyond = T::round(distance.near() * 1.001 / share.near());
+        assert_eq!(law.point_density(radius, at, beyond).wide(), 0.0, "{place}");
+        assert_eq!(
+            law.ln_point_density(radius, at, beyond).wide(),
+            f64::NEG_INFINITY,
+            "{place}"
+        );
+    }
+}
+
+/// Radii over the whole admitted range, the ends included.
+fn everywhere<T: Format>() {
+    let mut rng = Pcg64::seed_from_u64(17);
+    let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
+    let least = 2f64.powi(T::LEAST);
+    let (low, high) = (least.log2(), (T::MAX_VALUE / 4.0).log2());
+    for i in 0..20_000 {
+        let rho = match i {
+            0 => least,
+            1 => T::MAX_VALUE / 4.0,
+            _ => 2f64
+                .powf(low + (high - low) * unit())
+                .clamp(least, T::MAX_VALUE / 4.0),
+        };
+        let (rho, u, v) = (T::round(rho), T::round(unit()), T::round(unit()));
+        judge(&Disk, rho, u, v);
+        judge(&CircleArc, rho, u, v);
+        judge(&CircleShell, rho, u, v);
+        judge(&Ball, rho, u, v);
+        judge(&SphereShell, rho, u, v);
+        judge(&Lambert, rho, u, v);
+    }
+}
+
+#[test]
+fn f32_points() {
+    everywhere::<f32>();
+}
+
+#[test]
+fn f64_points() {
+    everywhere::<f64>();
+}
+
+/// A direction outside the support has no points, and a shell's density keeps its sign.
+#[test]
+fn no_points_outside_the_support() {
+    let rho = Radius::new(1.0f64).expect("a valid radius");
+    for at in [
+        CosSin {
+            cos: -0.6,
+            sin: 0.8,
+        },
+        CosSin {
+            cos: 0.8,
+            sin: -0.6,
+        },
+    ] {
+        assert_eq!(Ball.point_density(rho, at, 0.1), 0.0);
+        assert_eq!(Lambert.point_density(rho, at, 0.1), 0.0);
+        assert_eq!(
+            SphereShell.ln_point_density(rho, at, 0.1),
+            f64::NEG_INFINITY
+        );
+    }
+    let mirrored = CosSin {
+        cos: 0.8,
+        sin: -0.6,
+    };
+    assert!(Disk.point_density(rho, mirrored, 0.1) > 0.0);
+    assert!(Disk.point_density(rho, mirrored, f64::NAN).is_nan());
+}
