@@ -7,7 +7,7 @@ use accuracy::format::{Format, Subject};
 use accuracy::inputs::{EXPONENTS, sample};
 use accuracy::measure::{OPERATIONS, Tally, at_angle, at_tail, sweep};
 use accuracy::monotone;
-use accuracy::reference::Id;
+use accuracy::reference::{self, Direction, Id};
 use accuracy::spoiled::Spoiled;
 use coslobe::SphereShell;
 
@@ -126,6 +126,44 @@ fn never_steps_back(find: impl Fn(Id) -> (u64, u64)) {
             "{id:?}: quantile or isf steps back or does not mirror from {first:#x}"
         );
     }
+}
+
+/// The logarithm of a narrow lobe's density at the angles where the density passes 1.
+fn crosses_zero<T: Format>() {
+    for k in [1e3, 1e6, 1e30] {
+        let subjects = [Subject::<T>::new(Id::CosPower(k))];
+        let peak = 1.0 / (k + 1.0).sqrt();
+        for (mut above, mut below) in [(peak, peak * 60.0), (peak, peak * 1e-12 / k)] {
+            let value = |theta: f64| {
+                let at = Direction::<f64>::at_angle(theta.min(1.57));
+                reference::ln_pdf(Id::CosPower(k), &at)
+            };
+            assert!(
+                value(above) > 0.0 && value(below) < 0.0,
+                "{k:e} from {above:e} to {below:e}"
+            );
+            for _ in 0..200 {
+                let middle = (above + below) / 2.0;
+                if value(middle) > 0.0 {
+                    above = middle
+                } else {
+                    below = middle
+                }
+            }
+            let mut tally = Tally::new(1);
+            for step in 0..400 {
+                let theta = T::of_bits(T::round(below).bits() + step - 200);
+                at_angle(&subjects, theta, &mut tally);
+            }
+            holds(&subjects, &tally);
+        }
+    }
+}
+
+#[test]
+fn logarithms_that_cross_zero() {
+    crosses_zero::<f32>();
+    crosses_zero::<f64>();
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod accuracy;
 use accuracy::format::{Format, error_in_ulps, ulp};
 use accuracy::wide::Wide;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Law, Measure, Radius, SphereShell, Tangent,
+    Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Measure, Radius, SphereShell, Tangent,
 };
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};

@@ -2,14 +2,12 @@
 //!
 //! `cargo run --release --example atlas` prints a table and writes `atlas/index.html`.
 
+#[path = "../../tests/accuracy/mod.rs"]
+mod accuracy;
 mod args;
 mod axis;
 mod canvas;
 mod catalog;
-// The accuracy tests' arithmetic: twofloat 0.8 divides pairs to 17 digits only.
-#[allow(dead_code, unreachable_pub, clippy::suspicious_arithmetic_impl)]
-#[path = "../../tests/accuracy/double.rs"]
-mod double;
 mod errors;
 mod figure;
 mod lobe;

@@ -141,8 +141,8 @@ impl<T: Real> Law<T> for CosPower<T> {
         within(theta, spatial(theta), self.lobe(at, at.sin), T::ZERO)
     }
 
-    /// Summed in pairs, but where the density passes 1 (k > 1 only) the logarithm's terms cancel
-    /// and its error is relative to the largest of them, not to the result.
+    /// Summed in pairs, since its terms cancel where the density passes 1 (large k only); between −1
+    /// and 1 the error is bounded in ulps of 1, not of the result.
     #[inline]
     fn ln_pdf(&self, theta: T) -> T {
         let at = at_angle_fine(theta);

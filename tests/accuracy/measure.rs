@@ -1,8 +1,8 @@
 //! Sweeps every operation over inputs and keeps the worst error of each.
 
-use super::format::{Format, Subject, error_in_ulps};
+use super::format::{Format, Subject, error_in_ulps, ulp};
 use super::reference::{
-    Direction, density, density_at_cos, lambert_weight, ln_pdf, pdf, tails, warp,
+    Direction, Id, density, density_at_cos, lambert_weight, ln_pdf, pdf, tails, warp,
 };
 use super::wide::Wide;
 use coslobe::CosSin;
@@ -99,7 +99,12 @@ struct Note<'a, T> {
 
 impl<T: Format> Note<'_, T> {
     fn check(&mut self, operation: Op, got: T, want: T::Wide) {
-        self.row[operation as usize].note(error_in_ulps(got, want), self.input.bits());
+        self.scaled(operation, got, want, 1.0);
+    }
+
+    fn scaled(&mut self, operation: Op, got: T, want: T::Wide, share: f64) {
+        let ulps = error_in_ulps(got, want) * share;
+        self.row[operation as usize].note(ulps, self.input.bits());
     }
 }
 
@@ -115,11 +120,19 @@ pub fn at_angle<T: Format>(subjects: &[Subject<T>], theta: T, tally: &mut Tally)
         let mut note = Note { row, input: theta };
         let (id, law) = (s.id, &s.law);
         note.check(Op::Pdf, law.pdf(theta), pdf(id, &at));
-        note.check(Op::LnPdf, law.ln_pdf(theta), ln_pdf(id, &at));
+        let (got, want) = (law.ln_pdf(theta), ln_pdf(id, &at));
+        // A logarithm that crosses zero is judged in ulps of 1 around there.
+        let crosses = matches!(id, Id::CosPower(_)) && want.near().abs() < 1.0;
+        let share = if crosses {
+            ulp::<T>(want.near()) / ulp::<T>(1.0)
+        } else {
+            1.0
+        };
+        note.scaled(Op::LnPdf, got, want, share);
         if let Some(solid) = &s.solid {
             note.check(Op::PdfSolidAngle, solid(theta), density(id, &at));
         }
-        let reads_both = matches!(id, super::reference::Id::CosPower(_));
+        let reads_both = matches!(id, Id::CosPower(_));
         let want = if reads_both {
             density(id, &paired)
         } else {
