@@ -38,16 +38,9 @@ impl<T: Real> Tails<T> {
     #[inline(always)]
     pub(crate) fn from_nearer(p: T, is_upper: bool) -> Self {
         let rest = T::ONE - p;
-        if is_upper {
-            Tails {
-                lower: rest,
-                upper: p,
-            }
-        } else {
-            Tails {
-                lower: p,
-                upper: rest,
-            }
+        Tails {
+            lower: T::select(is_upper, rest, p),
+            upper: T::select(is_upper, p, rest),
         }
     }
 
@@ -76,11 +69,8 @@ impl<T: Real> Tails<T> {
     /// The smaller tail, and whether it is the upper one (as for equal tails).
     #[inline(always)]
     pub(crate) fn nearer(self) -> (T, bool) {
-        if self.upper <= self.lower {
-            (self.upper, true)
-        } else {
-            (self.lower, false)
-        }
+        let is_upper = self.upper <= self.lower;
+        (T::select(is_upper, self.upper, self.lower), is_upper)
     }
 }
 

@@ -80,6 +80,7 @@ fn f64_stratified() {
 fn real_exponents() {
     sampled::<f32>(&powers(), 100_002);
     sampled::<f64>(&powers(), 60_000);
+    sampled::<f64>(&[Id::CosPower(1e300)], 60_000);
 }
 
 fn rejects<T: Format>(spoiled: Spoiled, stride: u64) {

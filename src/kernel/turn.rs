@@ -20,15 +20,10 @@ fn eighth<T: Real>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
 #[inline]
 pub(crate) fn at_quadrant<T: Real>(quadrant: u32, x: T) -> CosSin<T> {
     let CosSin { cos, sin } = eighth(x, x, T::TABLE.two_pi, T::ONE);
-    let (c, s) = if quadrant & 1 == 0 {
-        (cos, sin)
-    } else {
-        (-sin, cos)
-    };
-    if quadrant & 2 == 0 {
-        CosSin { cos: c, sin: s }
-    } else {
-        CosSin { cos: -c, sin: -s }
+    let (odd, behind) = (quadrant & 1 != 0, quadrant & 2 != 0);
+    CosSin {
+        cos: T::select(odd, sin, cos).negate_if(odd != behind),
+        sin: T::select(odd, cos, sin).negate_if(behind),
     }
 }
 
@@ -45,11 +40,10 @@ pub(crate) fn half_turn<T: Real>(p: T) -> CosSin<T> {
     let d = T::HALF - p;
     let near = p < T::QUARTER;
     // The argument stays p: half a subnormal p would lose its last bit.
-    let arg = if near { p } else { d };
+    let arg = T::select(near, p, d);
     let CosSin { cos, sin } = eighth(arg * T::HALF, arg, T::TABLE.pi, T::HALF);
-    if near {
-        CosSin { cos: sin, sin: cos }
-    } else {
-        CosSin { cos, sin }
+    CosSin {
+        cos: T::select(near, sin, cos),
+        sin: T::select(near, cos, sin),
     }
 }

@@ -71,7 +71,7 @@ impl<T: Real> Law<T> for CircleArc {
         let CosSin { cos, sin } = half_turn(p);
         CosSin {
             cos,
-            sin: if is_upper { sin } else { -sin },
+            sin: sin.negate_if(!is_upper),
         }
     }
 
@@ -91,7 +91,7 @@ impl<T: Real> Law<T> for CircleArc {
         let (p, is_upper) = p.nearer();
         let d = T::HALF - p;
         let theta = into_support(d * T::TABLE.pi.hi + d * T::TABLE.pi.lo);
-        if is_upper { theta } else { -theta }
+        theta.negate_if(!is_upper)
     }
 
     #[inline]

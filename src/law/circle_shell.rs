@@ -85,7 +85,7 @@ impl<T: Real> Law<T> for CircleShell {
         };
         CosSin {
             cos: cos_squared.sqrt(),
-            sin: if is_upper { sin } else { -sin },
+            sin: sin.negate_if(!is_upper),
         }
     }
 

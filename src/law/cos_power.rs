@@ -16,9 +16,9 @@ use rand_core::Rng;
 /// > (k+1) cosᵏθ / (2π) per steradian; q = that times sin θ per dθ dφ, θ ∈ \[0, π/2\]
 ///
 /// with cdf 1 − cosᵏ⁺¹θ. k = 0 is the uniform hemisphere, k = 1, 2, 3 are
-/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball)
-/// (whose own types are several times cheaper). Every finite k is accepted: cosᵏθ is formed from
-/// ln cos θ with extra digits, so a k of 10³⁰⁰ keeps its accuracy.
+/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball), whose
+/// own types need no logarithm. Every finite k is accepted: cosᵏθ is formed from ln cos θ with extra
+/// digits, so that a large k does not magnify the error.
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three

@@ -80,7 +80,7 @@ impl<T: Real> Law<T> for Disk {
         let CosSin { cos, sin } = pair_at_tail(p);
         CosSin {
             cos,
-            sin: if is_upper { sin } else { -sin },
+            sin: sin.negate_if(!is_upper),
         }
     }
 
@@ -94,7 +94,7 @@ impl<T: Real> Law<T> for Disk {
     fn quantile_tails(&self, p: Tails<T>) -> T {
         let (p, is_upper) = p.nearer();
         let theta = into_support(angle_at_tail(p));
-        if is_upper { theta } else { -theta }
+        theta.negate_if(!is_upper)
     }
 
     #[inline]

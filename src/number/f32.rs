@@ -97,6 +97,17 @@ impl Kernel for f32 {
     }
 
     #[inline(always)]
+    fn select(first: bool, a: f32, b: f32) -> f32 {
+        let mask = u32::from(first).wrapping_neg();
+        f32::from_bits((a.to_bits() & mask) | (b.to_bits() & !mask))
+    }
+
+    #[inline(always)]
+    fn negate_if(self, negative: bool) -> f32 {
+        f32::from_bits(self.to_bits() ^ (u32::from(negative) << (u32::BITS - 1)))
+    }
+
+    #[inline(always)]
     fn copysign(self, sign: f32) -> f32 {
         f32::copysign(self, sign)
     }

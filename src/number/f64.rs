@@ -98,6 +98,17 @@ impl Kernel for f64 {
     }
 
     #[inline(always)]
+    fn select(first: bool, a: f64, b: f64) -> f64 {
+        let mask = u64::from(first).wrapping_neg();
+        f64::from_bits((a.to_bits() & mask) | (b.to_bits() & !mask))
+    }
+
+    #[inline(always)]
+    fn negate_if(self, negative: bool) -> f64 {
+        f64::from_bits(self.to_bits() ^ (u64::from(negative) << (u64::BITS - 1)))
+    }
+
+    #[inline(always)]
     fn copysign(self, sign: f64) -> f64 {
         f64::copysign(self, sign)
     }

@@ -71,6 +71,11 @@ pub(crate) mod kernel {
         fn is_nan(self) -> bool;
         fn is_finite(self) -> bool;
         fn abs(self) -> Self;
+        /// `a` if `first`, else `b`, by masking bits: random bits choose, and a branch on them
+        /// would be mispredicted half the time.
+        fn select(first: bool, a: Self, b: Self) -> Self;
+        /// −self if `negative`.
+        fn negate_if(self, negative: bool) -> Self;
         fn copysign(self, sign: Self) -> Self;
         fn sqrt(self) -> Self;
         fn ln(self) -> Self;
