@@ -6,7 +6,7 @@ use crate::number::Real;
 /// strategy has density `b` (each times its number of samples).
 ///
 /// a = ∞ gives 1, both ∞ ½, both 0 gives 0 (no strategy could draw it); a + b cannot overflow on
-/// the way. NaN or a negative density gives NaN. Error < 2 ulp. Source: Veach, *Robust Monte
+/// the way. NaN or a negative density gives NaN. Error < 3 ulp. Source: Veach, *Robust Monte
 /// Carlo Methods*, 1997, section 9.2.
 ///
 /// ```
@@ -19,7 +19,7 @@ pub fn balance_heuristic<T: Real>(a: T, b: T) -> T {
 }
 
 /// a²/(a² + b²): the power heuristic with exponent 2. Limits and errors as
-/// [`balance_heuristic`] (error < 3 ulp); neither square overflows or underflows on the way.
+/// [`balance_heuristic`] (error < 4 ulp); neither square overflows or underflows on the way.
 #[inline]
 pub fn power_heuristic<T: Real>(a: T, b: T) -> T {
     combine(a, b, |ratio| ratio * ratio)
