@@ -37,7 +37,7 @@ impl<T: Real> CosSin<T> {
         }
     }
 
-    /// √(x² + y²) without overflow or underflow on the way. Error < 2 ulp.
+    /// √(x² + y²) without overflow or underflow on the way.
     pub(crate) fn hypot(x: T, y: T) -> T {
         let (x, y) = (x.abs(), y.abs());
         let (large, small) = if x > y { (x, y) } else { (y, x) };
