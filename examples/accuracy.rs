@@ -9,7 +9,7 @@
 mod accuracy;
 
 use accuracy::format::{Format, Subject};
-use accuracy::inputs::{EXPONENTS, sample};
+use accuracy::inputs::{exponents, sample};
 use accuracy::measure::{OPERATIONS, Tally, at_angle, at_tail, sweep};
 use accuracy::monotone;
 use accuracy::reference::Id;
@@ -112,7 +112,6 @@ fn monotone_table(out: &mut String, stride: u64, samples: u64) {
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let powers = EXPONENTS.map(Id::CosPower);
     let mut out = String::from(
         "# Observed errors\n\n\
          Written by `cargo run --release --example accuracy -- --stride 1`; do not edit. Errors are in\n\
@@ -129,7 +128,7 @@ fn main() -> ExitCode {
     );
     table(
         &mut out,
-        &sampled::<f32>(&powers, arguments.samples / 10),
+        &sampled::<f32>(&exponents::<f32>(), arguments.samples / 10),
         false,
     );
     out += "\n## f64\n";
@@ -140,7 +139,7 @@ fn main() -> ExitCode {
     );
     table(
         &mut out,
-        &sampled::<f64>(&powers, arguments.samples / 10),
+        &sampled::<f64>(&exponents::<f64>(), arguments.samples / 10),
         false,
     );
     out += "\n## Monotone quantiles\n\nPairs of neighbours p where `quantile` or `isf` steps back or, for a planar law, fails to mirror.\n";

@@ -2,10 +2,15 @@
 
 use super::format::{Format, Subject};
 use super::measure::Tally;
+use super::reference::Id;
 use rayon::prelude::*;
 
-/// Exponents that `CosPower` is judged at.
-pub const EXPONENTS: [f64; 6] = [0.0, 0.5, 1.0, 20.0, 1e6, 1e30];
+/// Exponents that `CosPower` is judged at: those that the format holds.
+pub fn exponents<T: Format>() -> Vec<Id> {
+    let all = [0.0, 0.5, 1.0, 20.0, 1e6, 1e30, 1e300];
+    let held = all.into_iter().filter(|&k| k <= T::MAX_VALUE);
+    held.map(Id::CosPower).collect()
+}
 
 /// A fixed scramble of the index, for jitter within a stratum (SplitMix64's finaliser).
 fn scramble(i: u64) -> u64 {
