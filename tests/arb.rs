@@ -5,6 +5,7 @@ mod accuracy;
 use accuracy::bounds::allowed;
 use accuracy::double::Double;
 use accuracy::format::{Format, Subject, error_in_ulps};
+use accuracy::inverse::warp;
 use accuracy::reference::{self, Direction, Id};
 use accuracy::wide::Wide;
 
@@ -102,7 +103,7 @@ fn reference_agrees<W: Wide>(judged: impl Fn(f64) -> bool) {
     for row in arb().iter().filter(|row| judged(row.argument)) {
         let (law, x) = (row.law, row.argument);
         let side = || {
-            reference::warp::<W>(
+            warp::<W>(
                 law,
                 x,
                 row.operation.starts_with("warp_sf") || row.operation == "isf",

@@ -1,8 +1,9 @@
 //! Sweeps every operation over inputs and keeps the worst error of each.
 
 use super::format::{Format, Subject, error_in_ulps, ulp};
+use super::inverse::warp;
 use super::reference::{
-    Direction, Id, density, density_at_cos, lambert_weight, ln_pdf, pdf, tails, warp,
+    Direction, Id, density, density_at_cos, lambert_weight, ln_pdf, pdf, tails,
 };
 use super::wide::Wide;
 use coslobe::CosSin;

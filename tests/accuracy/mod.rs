@@ -6,6 +6,7 @@ pub mod bounds;
 pub mod double;
 pub mod format;
 pub mod inputs;
+pub mod inverse;
 pub mod measure;
 pub mod monotone;
 pub mod reference;

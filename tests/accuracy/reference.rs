@@ -1,4 +1,4 @@
-//! The laws' true values, written from the formulas in wider arithmetic.
+//! The laws' true values at a direction, written from the formulas in wider arithmetic.
 
 use super::wide::Wide;
 
@@ -209,7 +209,7 @@ pub fn tails<W: Wide>(law: Id, at: &Direction<W>) -> (W, W) {
 }
 
 /// (2η − sin 2η)/2π.
-fn kepler_tail<W: Wide>(eta: W) -> W {
+pub fn kepler_tail<W: Wide>(eta: W) -> W {
     let y = eta + eta;
     let difference = if y.near() > 0.5 {
         let sin = if y.near() > 1.6 {
@@ -232,84 +232,6 @@ fn kepler_tail<W: Wide>(eta: W) -> W {
         sum
     };
     difference / (W::pi() * W::of(2.0))
-}
-
-/// The direction at nearer tail p ≤ ½ of a planar law (θ ≥ 0), or at the tails of a spatial one
-/// of which the nearer is p, on the `upper` side or not.
-pub fn warp<W: Wide>(law: Id, p: f64, upper: bool) -> (W, W) {
-    let (one, half, p_w) = (W::of(1.0), W::of(0.5), W::of(p));
-    let rest = one - p_w;
-    let (lower, sf) = if upper { (rest, p_w) } else { (p_w, rest) };
-    if p == 0.0 {
-        return if upper || law.planar() {
-            (p_w, one)
-        } else {
-            (one, p_w)
-        };
-    }
-    match law {
-        Id::Disk => kepler(p),
-        Id::CircleShell => ((p_w * rest).root() * W::of(2.0), one - (p_w + p_w)),
-        Id::CircleArc => {
-            if p < 0.25 {
-                (p_w * W::pi()).sin_cos()
-            } else {
-                let (s, c) = ((half - p_w) * W::pi()).sin_cos();
-                (c, s)
-            }
-        }
-        Id::Ball => {
-            let square = sf.root();
-            (square.root(), lower.root() / (one + square).root())
-        }
-        Id::SphereShell => {
-            let c = sf.cube_root();
-            (c, lower.root() * ((one + c) / (one + c + c * c)).root())
-        }
-        Id::Lambert => (sf.root(), lower.root()),
-        Id::CosPower(k) => {
-            // (1 − sf)/(k + 1) may underflow before its root does: scale by the root.
-            let log = if sf.near() < 0.5 {
-                -sf.ln()
-            } else {
-                -lower.ln_one_minus()
-            };
-            let next = W::of(k) + one;
-            let a = log / next;
-            let sin = if a.near() < 1e-40 {
-                (log * W::of(2.0)).root() / next.root()
-            } else {
-                (a * W::of(2.0)).one_minus_exp_neg().root()
-            };
-            ((-a).exp(), sin)
-        }
-    }
-}
-
-/// (cos θ, sin θ) of the disk's law at nearer tail p, by Newton's method from the end or the axis.
-fn kepler<W: Wide>(p: f64) -> (W, W) {
-    if p < 0.15 {
-        let s = (W::pi() * W::of(12.0)).cube_root() * W::of(p).cube_root();
-        let t = s.near() * s.near();
-        let start = 0.5 + t * (1.0 / 120.0 + t * (1.0 / 2800.0 + t / 50400.0));
-        let mut eta = s * W::of(start);
-        // Below 1e-100 the start is exact, and residuals would underflow.
-        for _ in 0..if p > 1e-100 { 4 } else { 0 } {
-            let f = kepler_tail(eta);
-            let sin = eta.sin_cos().0;
-            eta = eta - (f - W::of(p)) / (sin * sin * W::of(2.0) / W::pi());
-        }
-        eta.sin_cos()
-    } else {
-        let target = (W::of(0.5) - W::of(p)) * W::pi();
-        let mut theta = target * W::of(0.5);
-        for _ in 0..7 {
-            let (s, c) = theta.sin_cos();
-            theta = theta - (theta + s * c - target) / (c * c * W::of(2.0));
-        }
-        let (s, c) = theta.sin_cos();
-        (c, s)
-    }
 }
 
 /// 2D: (cos θ / 2)/density; 3D: (cos θ / π)/density.
