@@ -1,6 +1,6 @@
 //! A direction as its cosine and sine.
 
-use crate::number::Real;
+use crate::number::scalar::Scalar;
 
 /// A direction by the cosine and sine of its angle θ from the axis.
 ///
@@ -18,7 +18,7 @@ pub struct CosSin<T> {
     pub sin: T,
 }
 
-impl<T: Real> CosSin<T> {
+impl<T: Scalar> CosSin<T> {
     /// (cos²θ, sin²θ), both from the smaller component: the larger holds fewer digits of θ.
     #[inline(always)]
     pub(crate) fn squares(self) -> Self {
@@ -35,6 +35,16 @@ impl<T: Real> CosSin<T> {
                 sin: T::ONE - cos,
             }
         }
+    }
+
+    #[inline(always)]
+    pub(crate) fn to_array(self) -> [T; 2] {
+        [self.cos, self.sin]
+    }
+
+    #[inline(always)]
+    pub(crate) fn of_array([cos, sin]: [T; 2]) -> Self {
+        CosSin { cos, sin }
     }
 
     /// √(x² + y²) without overflow or underflow on the way.

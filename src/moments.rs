@@ -16,3 +16,15 @@ pub struct Moments<T> {
     /// Differential entropy −E\[ln p\] in nats, p per radian (2D) or per steradian (3D).
     pub entropy: T,
 }
+
+impl<T> Moments<T> {
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Moments<U> {
+        Moments {
+            mean_cos: f(self.mean_cos),
+            var_cos: f(self.var_cos),
+            mean_theta: f(self.mean_theta),
+            var_theta: f(self.var_theta),
+            entropy: f(self.entropy),
+        }
+    }
+}

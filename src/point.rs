@@ -1,8 +1,11 @@
 //! The point before it was normalised.
 
-use crate::kernel::cbrt::cbrt_times;
 use crate::kernel::pair::Pair;
+use crate::kernel::table::Constants;
 use crate::number::Real;
+use crate::number::kernel::Kernel;
+use crate::number::native::Native;
+use crate::number::tier::{Holds, Margin};
 use crate::{CosSin, Law, Planar, Spatial, uniform};
 use core::fmt;
 use rand_core::Rng;
@@ -97,7 +100,7 @@ pub trait Tangent<T: Real>: Law<T> {
     fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T {
         let share = match Self::MEASURE {
             Measure::Area => v.sqrt(),
-            Measure::Volume => cbrt_times(Pair::exact(T::ONE), v),
+            Measure::Volume => cube_root(v),
             _ => T::ONE,
         };
         (rho.get() + rho.get()) * (at.cos * share)
@@ -113,13 +116,13 @@ pub trait Tangent<T: Real>: Law<T> {
     /// [`ln_point_density`](Tangent::ln_point_density). Error < 4 ulp.
     #[inline]
     fn point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
-        let (recip_rho, recip_pi) = (T::ONE / rho.get(), T::TABLE.recip_pi.hi);
+        let (recip_rho, recip_pi) = (T::ONE / rho.get(), constant::<T>(|c| c.recip_pi));
         let value = match Self::MEASURE {
             Measure::Area => recip_pi / rho.get() * recip_rho,
             Measure::ArcLength => recip_pi * T::HALF / rho.get(),
             Measure::CircleShell => self.density(at),
             Measure::Volume => {
-                T::TABLE.three_over_two_pi.hi * T::HALF / rho.get() * recip_rho * recip_rho
+                constant::<T>(|c| c.three_over_two_pi) * T::HALF / rho.get() * recip_rho * recip_rho
             }
             Measure::SurfaceArea => recip_pi * T::QUARTER / rho.get() * recip_rho,
             Measure::SphereShell => self.density(at) * at.sin.abs(),
@@ -131,14 +134,20 @@ pub trait Tangent<T: Real>: Law<T> {
     /// Error < 4 ulp of its larger term.
     #[inline]
     fn ln_point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
-        let (ln_rho, ln_pi, ln_2) = (rho.get().ln(), T::TABLE.ln_pi.hi, T::TABLE.ln_2.hi);
+        let (ln_rho, ln_pi, ln_2) = (
+            ln(rho.get()),
+            constant::<T>(|c| c.ln_pi),
+            constant::<T>(|c| c.ln_2),
+        );
         let value = match Self::MEASURE {
             Measure::Area => -(ln_pi + ln_rho * T::int(2)),
-            Measure::ArcLength => -(T::TABLE.ln_two_pi.hi + ln_rho),
-            Measure::CircleShell => self.density(at).ln(),
-            Measure::Volume => T::TABLE.ln_three_over_two_pi.hi - (ln_2 + ln_rho * T::int(3)),
+            Measure::ArcLength => -(constant::<T>(|c| c.ln_two_pi) + ln_rho),
+            Measure::CircleShell => ln(self.density(at)),
+            Measure::Volume => {
+                constant::<T>(|c| c.ln_three_over_two_pi) - (ln_2 + ln_rho * T::int(3))
+            }
             Measure::SurfaceArea => -(ln_pi + (ln_2 + ln_rho) * T::int(2)),
-            Measure::SphereShell => self.density(at).ln() + at.sin.abs().ln(),
+            Measure::SphereShell => ln(self.density(at)) + ln(at.sin.abs()),
         };
         inside(Self::MEASURE, rho, at, r, value, -T::INFINITY)
     }
@@ -209,3 +218,29 @@ pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
 }
 
 impl<T: Real, L: Spatial<T> + Tangent<T>> SpatialPoint<T> for L {}
+
+/// An exact constant, rounded to the format.
+#[inline(always)]
+fn constant<T: Real>(of: impl Fn(&Constants<Pair<T::Base>>) -> Pair<T::Base>) -> T {
+    T::of_base(of(&<T::Base as Native>::CONSTANTS).value())
+}
+
+#[inline]
+fn ln<T: Real>(x: T) -> T {
+    let [ln] = T::rounded(
+        Margin::Relative,
+        || [T::Quick::of(x).ln()],
+        || [T::Work::of(x).ln()],
+    );
+    ln
+}
+
+#[inline]
+fn cube_root<T: Real>(x: T) -> T {
+    let [root] = T::rounded(
+        Margin::Relative,
+        || [T::Quick::of(x).cbrt()],
+        || [T::Work::of(x).cbrt()],
+    );
+    root
+}

@@ -1,6 +1,6 @@
 //! A probability held as both its tails.
 
-use crate::number::Real;
+use crate::number::scalar::Scalar;
 
 /// A probability as the pair (cdf, sf), each to full relative accuracy.
 ///
@@ -13,7 +13,7 @@ pub struct Tails<T> {
     upper: T,
 }
 
-impl<T: Real> Tails<T> {
+impl<T: Scalar> Tails<T> {
     /// The tails at cdf = `u`; NaN for `u` outside \[0, 1\].
     #[inline]
     pub fn from_lower(u: T) -> Self {
@@ -54,6 +54,16 @@ impl<T: Real> Tails<T> {
         }
     }
 
+    #[inline(always)]
+    pub(crate) fn to_array(self) -> [T; 2] {
+        [self.lower, self.upper]
+    }
+
+    #[inline(always)]
+    pub(crate) fn of_array([lower, upper]: [T; 2]) -> Self {
+        Tails { lower, upper }
+    }
+
     /// Probability below: the cdf.
     #[inline(always)]
     pub fn lower(self) -> T {
@@ -76,7 +86,7 @@ impl<T: Real> Tails<T> {
 
 /// `p` with −0 as +0, NaN outside \[0, 1\].
 #[inline(always)]
-fn domain<T: Real>(p: T) -> T {
+fn domain<T: Scalar>(p: T) -> T {
     if p >= T::ZERO && p <= T::ONE {
         p.abs()
     } else {

@@ -12,15 +12,15 @@
 //! those words, always the same number of them.
 
 use crate::number::Real;
-use crate::number::kernel::Kernel;
+use crate::number::tier::Tier;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
 /// The random bits behind one [`Tails`]: `u64` for `f32`, `u128` for `f64`.
-pub type TailBits<T> = <T as Kernel>::TailBits;
+pub type TailBits<T> = <T as Tier>::TailBits;
 
 /// The random bits behind one azimuth: `u32` for `f32`, `u64` for `f64`.
-pub type TurnBits<T> = <T as Kernel>::TurnBits;
+pub type TurnBits<T> = <T as Tier>::TurnBits;
 
 /// A uniform probability as both its tails. The top bit chooses the nearer tail's side.
 ///

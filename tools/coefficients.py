@@ -283,13 +283,14 @@ def emit(bits, fits):
         "#![allow(clippy::approx_constant)] // the constants are the point",
         "",
         "use super::pair::Pair;",
-        "use super::table::{Series, Table};",
+        "use super::table::{Constants, Series, Table};",
         "use crate::Moments;",
         "",
-        f"pub(crate) const TABLE: Table<{ty}> = Table {{",
+        f"pub(crate) const CONSTANTS: Constants<Pair<{ty}>> = Constants {{",
     ]
     for name, value, doc in CONSTANTS:
         lines += [f"    // {doc}", f"    {name}: {pr(value)},"]
+    lines += ["};", "", f"pub(crate) const TABLE: Table<{ty}> = Table {{"]
     for name, cos1, cos2, theta1, theta2, entropy in MOMENTS:
         values = [cos1, cos2 - cos1**2, theta1, theta2 - mpf(theta1) ** 2, entropy]
         fields = ["mean_cos", "var_cos", "mean_theta", "var_theta", "entropy"]

@@ -1,11 +1,11 @@
 //! Cube root: an integer guess, Halley steps, and a last step from a shortened iterate.
 
 use super::pair::Pair;
-use crate::number::Real;
+use crate::number::native::Native;
 
 /// Adds what rounding took from a cube root t = ∛x.
 #[inline]
-pub(crate) fn refine<T: Real>(t: T, x: T) -> Pair<T> {
+pub(crate) fn refine<T: Native>(t: T, x: T) -> Pair<T> {
     let square = Pair::product(t, t);
     let cube = square.mul(Pair::exact(t));
     let rest = ((x - cube.hi) - cube.lo) / (square.hi * T::int(3));
@@ -17,7 +17,7 @@ pub(crate) fn refine<T: Real>(t: T, x: T) -> Pair<T> {
 /// The last iterate is cut to half its digits, so that its square is exact and the residual
 /// k·x/t² − t carries no error of its own.
 #[inline]
-pub(crate) fn cbrt_times<T: Real>(k: Pair<T>, x: T) -> T {
+pub(crate) fn cbrt_times<T: Native>(k: Pair<T>, x: T) -> T {
     let tiny = x < T::CBRT_TINY;
     let x = if tiny { x * T::CBRT_UP } else { x };
     let y = x * k.hi + x * k.lo;

@@ -8,17 +8,17 @@
 use super::cbrt::cbrt_times;
 use super::pair::Pair;
 use super::poly::horner;
-use super::trig::{PairCosSin, from_end, small};
+use super::trig::{from_end, small};
 use crate::CosSin;
-use crate::number::Real;
+use crate::number::native::Native;
 
 /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
 #[inline]
-pub(crate) fn tail_at_angle<T: Real>(a: T) -> T {
+pub(crate) fn tail_at_angle<T: Native>(a: T) -> T {
     let table = &T::TABLE;
     let eta = from_end(a);
     let h = eta.hi * eta.hi;
-    let c0 = table.two_over_three_pi;
+    let c0 = T::CONSTANTS.two_over_three_pi;
     let shape = Pair::fast_sum(c0.hi, c0.lo + h * horner(h, table.disk_tail));
     // d ln p / d ln η falls from 3 at the end to 2 at the axis, nearly linearly in η².
     let slope = T::int(3) - h * (T::int(2) / T::int(5));
@@ -31,26 +31,27 @@ pub(crate) fn tail_at_angle<T: Real>(a: T) -> T {
 
 /// Nearer tail of the disk's law at a direction, from the smaller of cos θ and |sin θ|.
 #[inline]
-pub(crate) fn tail_at_pair<T: Real>(cos: T, sin: T) -> T {
+pub(crate) fn tail_at_pair<T: Native>(cos: T, sin: T) -> T {
     let table = &T::TABLE;
     if cos <= sin {
         let w = cos * cos;
-        let c0 = table.two_over_three_pi;
+        let c0 = T::CONSTANTS.two_over_three_pi;
         cos * w * (c0.hi + (c0.lo + w * horner(w, table.disk_tail_of_cos)))
     } else {
         let w = sin * sin;
-        let line = Pair::product(sin, table.two_over_pi.hi);
-        let rest = sin * table.two_over_pi.lo + sin * w * horner(w, table.disk_centre_of_sin);
+        let line = Pair::product(sin, T::CONSTANTS.two_over_pi.hi);
+        let rest =
+            sin * T::CONSTANTS.two_over_pi.lo + sin * w * horner(w, table.disk_centre_of_sin);
         (T::HALF - line.hi) - (line.lo + rest)
     }
 }
 
 /// The angle whose nearer tail is p ≤ ½: from the end where p < ⅛ (`true`), else from the axis.
 #[inline]
-fn solve<T: Real>(p: T) -> (Pair<T>, bool) {
+fn solve<T: Native>(p: T) -> (Pair<T>, bool) {
     let table = &T::TABLE;
     if p < T::QUARTER * T::HALF {
-        let s = cbrt_times(table.twelve_pi, p);
+        let s = cbrt_times(T::CONSTANTS.twelve_pi, p);
         let t = s * s;
         let eta = Pair::fast_sum(s * T::HALF, s * t * horner(t, table.kepler_tail));
         (eta, true)
@@ -58,7 +59,7 @@ fn solve<T: Real>(p: T) -> (Pair<T>, bool) {
         let d = T::HALF - p;
         let w = d * d;
         // θ = d + (d/2 + small): d is exact, so rounding cannot undo a step of it and θ is monotone.
-        let excess = (table.half_pi.hi - T::ONE - T::HALF) + table.half_pi.lo;
+        let excess = (T::CONSTANTS.half_pi.hi - T::ONE - T::HALF) + T::CONSTANTS.half_pi.lo;
         let rest = d * T::HALF + d * (excess + w * horner(w, table.kepler_centre));
         (Pair::fast_sum(d, rest), false)
     }
@@ -66,9 +67,9 @@ fn solve<T: Real>(p: T) -> (Pair<T>, bool) {
 
 /// (cos θ, |sin θ|) at the nearer tail p.
 #[inline]
-pub(crate) fn pair_at_tail<T: Real>(p: T) -> CosSin<T> {
+pub(crate) fn pair_at_tail<T: Native>(p: T) -> CosSin<T> {
     let (x, at_end) = solve(p);
-    let PairCosSin { cos, sin } = small(x);
+    let CosSin { cos, sin } = small(x);
     let (cos, sin) = (cos.value(), sin.value());
     if at_end {
         CosSin { cos: sin, sin: cos }
@@ -79,10 +80,10 @@ pub(crate) fn pair_at_tail<T: Real>(p: T) -> CosSin<T> {
 
 /// |θ| at the nearer tail p. Rounded once from a pair, hence monotone in p.
 #[inline]
-pub(crate) fn angle_at_tail<T: Real>(p: T) -> T {
+pub(crate) fn angle_at_tail<T: Native>(p: T) -> T {
     let (x, at_end) = solve(p);
     if at_end {
-        let end = T::TABLE.half_pi;
+        let end = T::CONSTANTS.half_pi;
         let theta = Pair::fast_sum(end.hi, -x.hi);
         theta.hi + (theta.lo + (end.lo - x.lo))
     } else {

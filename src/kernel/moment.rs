@@ -2,10 +2,10 @@
 
 use super::pair::Pair;
 use super::poly::horner;
-use crate::number::Real;
+use crate::number::native::Native;
 
 /// (∫ cosⁿθ, ∫ θ cosⁿθ): asymptotic series at n + 2m ≥ 32, then down by the recurrences.
-pub(crate) fn cosine_integrals<T: Real>(n: T) -> (T, T) {
+pub(crate) fn cosine_integrals<T: Native>(n: T) -> (T, T) {
     let steps = if n < T::int(32) {
         (T::int(33) - n).to_u32() / 2 + 1
     } else {
@@ -15,7 +15,7 @@ pub(crate) fn cosine_integrals<T: Real>(n: T) -> (T, T) {
     // √(π/2t) (1 + a₁/m² + …), t = n + ½, m = t/2.
     let m = (top + T::HALF) * T::HALF;
     let shape = horner(T::ONE / m / m, T::TABLE.cosine_integral);
-    let plain = (T::TABLE.half_pi.hi / (top + T::HALF)).sqrt() * shape;
+    let plain = (T::CONSTANTS.half_pi.hi / (top + T::HALF)).sqrt() * shape;
     // Σ bⱼ/nʲ.
     let recip = T::ONE / top;
     let weighted = recip * horner(recip, T::TABLE.angle_integral);

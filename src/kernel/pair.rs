@@ -1,15 +1,15 @@
 //! An unevaluated sum of two numbers, for the few places where one is not enough.
 
-use crate::number::Real;
+use crate::number::native::Native;
 
 /// The value `hi + lo`, `lo` small against `hi`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair<T> {
+pub struct Pair<T> {
     pub(crate) hi: T,
     pub(crate) lo: T,
 }
 
-impl<T: Real> Pair<T> {
+impl<T: Native> Pair<T> {
     #[inline(always)]
     pub(crate) fn exact(hi: T) -> Self {
         Pair { hi, lo: T::ZERO }

@@ -2,11 +2,11 @@
 
 use super::pair::Pair;
 use super::table::Series;
-use crate::number::Real;
+use crate::number::native::Native;
 
 /// Σ cᵢ xⁱ.
 #[inline(always)]
-pub(crate) fn horner<T: Real>(x: T, c: &[T]) -> T {
+pub(crate) fn horner<T: Native>(x: T, c: &[T]) -> T {
     match c.split_last() {
         Some((&last, rest)) => rest.iter().rev().fold(last, |sum, &k| sum * x + k),
         None => T::ZERO,
@@ -15,7 +15,7 @@ pub(crate) fn horner<T: Real>(x: T, c: &[T]) -> T {
 
 /// Σ cᵢ xⁱ with the leading terms summed as pairs.
 #[inline]
-pub(crate) fn horner_pair<T: Real>(x: Pair<T>, c: &Series<T>) -> Pair<T> {
+pub(crate) fn horner_pair<T: Native>(x: Pair<T>, c: &Series<T>) -> Pair<T> {
     let tail = Pair::exact(horner(x.hi, c.tail));
     c.head.iter().rev().fold(tail, |sum, &k| sum.mul(x).add(k))
 }

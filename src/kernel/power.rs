@@ -5,29 +5,29 @@
 
 use super::pair::Pair;
 use super::poly::horner_pair;
-use super::trig::PairCosSin;
-use crate::number::Real;
+use crate::number::native::Native;
+use crate::{CosSin, Tails};
 
 /// ln(2ᵉ(1 + f)) for −0.3 < f < 0.42.
 #[inline]
-fn ln_scaled<T: Real>(f: Pair<T>, e: i32) -> Pair<T> {
+fn ln_scaled<T: Native>(f: Pair<T>, e: i32) -> Pair<T> {
     let z = f.div(Pair::exact(T::int(2)).add(f));
     let w = z.mul(z);
     let atanh = z.mul(w).mul(horner_pair(w, &T::TABLE.atanh_series)).add(z);
     let e = Pair::exact(T::of_i32(e));
-    atanh.add(atanh).add(e.mul(T::TABLE.ln_2))
+    atanh.add(atanh).add(e.mul(T::CONSTANTS.ln_2))
 }
 
 /// ln x for finite x > 0.
 #[inline]
-pub(crate) fn ln<T: Real>(x: Pair<T>) -> Pair<T> {
+pub(crate) fn ln<T: Native>(x: Pair<T>) -> Pair<T> {
     let (m, e) = x.hi.split();
     ln_scaled(Pair::sum(m - T::ONE, x.lo.scale(-e)), e)
 }
 
 /// ln cos θ for cos θ > 0, from the smaller of cosine and sine.
 #[inline]
-fn ln_cos<T: Real>(at: PairCosSin<T>) -> Pair<T> {
+fn ln_cos<T: Native>(at: CosSin<Pair<T>>) -> Pair<T> {
     if at.cos.hi < at.sin.hi {
         return ln(at.cos);
     }
@@ -43,7 +43,7 @@ fn ln_cos<T: Real>(at: PairCosSin<T>) -> Pair<T> {
 
 /// k·ln cos θ for cos θ > 0.
 #[inline]
-pub(crate) fn ln_cos_power<T: Real>(k: Pair<T>, at: PairCosSin<T>) -> Pair<T> {
+pub(crate) fn ln_cos_power<T: Native>(k: Pair<T>, at: CosSin<Pair<T>>) -> Pair<T> {
     let product = if at.sin.hi < T::NEGLIGIBLE {
         // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
         k.mul(at.sin).mul(at.sin).half().neg()
@@ -62,7 +62,7 @@ pub(crate) fn ln_cos_power<T: Real>(k: Pair<T>, at: PairCosSin<T>) -> Pair<T> {
 
 /// c·eᵃ; the scaling by a power of two comes last, so that neither factor overflows alone.
 #[inline]
-pub(crate) fn exp_times<T: Real>(a: Pair<T>, c: Pair<T>) -> T {
+pub(crate) fn exp_times<T: Native>(a: Pair<T>, c: Pair<T>) -> T {
     let limit = T::int(4000);
     if a.hi < -limit {
         return T::ZERO;
@@ -70,16 +70,45 @@ pub(crate) fn exp_times<T: Real>(a: Pair<T>, c: Pair<T>) -> T {
     if a.hi > limit {
         return c.hi * T::INFINITY;
     }
-    let turns = a.hi / T::TABLE.ln_2.hi;
+    let turns = a.hi / T::CONSTANTS.ln_2.hi;
     let n = (turns + T::HALF.copysign(turns)).to_i32();
-    let r = a.add(Pair::exact(T::of_i32(-n)).mul(T::TABLE.ln_2));
+    let r = a.add(Pair::exact(T::of_i32(-n)).mul(T::CONSTANTS.ln_2));
     let m = r.hi.exp();
     (c.value() * (m + m * r.lo)).scale(n)
 }
 
 /// 1 − eᵃ.
 #[inline]
-pub(crate) fn one_minus_exp<T: Real>(a: Pair<T>) -> T {
+pub(crate) fn one_minus_exp<T: Native>(a: Pair<T>) -> T {
     let m = a.hi.exp_m1();
     -(m + a.lo * (T::ONE + m))
+}
+
+/// (cos θ, sin θ) with cosⁿθ = the upper tail: through the exponential of a pair.
+#[inline]
+pub(crate) fn warp<T: Native>(p: Tails<T>, n: Pair<T>) -> CosSin<T> {
+    let (lower, upper) = (p.lower(), p.upper());
+    if upper == T::ZERO {
+        return CosSin {
+            cos: T::ZERO,
+            sin: T::ONE,
+        };
+    }
+    let log = if upper < T::HALF {
+        ln(Pair::exact(upper))
+    } else {
+        Pair::exact((-lower).ln_1p())
+    };
+    let a = log.div(n);
+    let twice = a.add(a);
+    let sin = if -a.hi < T::NEGLIGIBLE * T::NEGLIGIBLE {
+        // sin²θ = −2a, which for large n underflows before its root does.
+        (-(log.hi + log.hi)).sqrt() / n.hi.sqrt()
+    } else {
+        one_minus_exp(twice).sqrt()
+    };
+    CosSin {
+        cos: exp_times(a, Pair::exact(T::ONE)),
+        sin,
+    }
 }

@@ -1,4 +1,4 @@
-//! The constants and coefficients that a float format brings to the kernels.
+//! The constants and coefficients that a format brings to the kernels.
 
 use super::pair::Pair;
 use crate::Moments;
@@ -9,22 +9,26 @@ pub(crate) struct Series<T: 'static> {
     pub(crate) tail: &'static [T],
 }
 
-/// One value per format; `table_f32.rs` and `table_f64.rs` say what each field approximates.
+/// Exact constants, each as wide as the arithmetic asks.
+pub struct Constants<P> {
+    pub(crate) half_pi: P,
+    pub(crate) two_pi: P,
+    pub(crate) pi: P,
+    pub(crate) recip_pi: P,
+    pub(crate) two_over_pi: P,
+    pub(crate) recip_two_pi: P,
+    pub(crate) twelve_pi: P,
+    pub(crate) three_over_two_pi: P,
+    pub(crate) two_over_three_pi: P,
+    pub(crate) ln_2: P,
+    pub(crate) ln_two_pi: P,
+    pub(crate) ln_pi: P,
+    pub(crate) ln_two_over_pi: P,
+    pub(crate) ln_three_over_two_pi: P,
+}
+
+/// Moments and coefficients of a format; `table_f32.rs` and `table_f64.rs` say what each approximates.
 pub struct Table<T: 'static> {
-    pub(crate) half_pi: Pair<T>,
-    pub(crate) two_pi: Pair<T>,
-    pub(crate) pi: Pair<T>,
-    pub(crate) recip_pi: Pair<T>,
-    pub(crate) two_over_pi: Pair<T>,
-    pub(crate) recip_two_pi: Pair<T>,
-    pub(crate) twelve_pi: Pair<T>,
-    pub(crate) three_over_two_pi: Pair<T>,
-    pub(crate) two_over_three_pi: Pair<T>,
-    pub(crate) ln_2: Pair<T>,
-    pub(crate) ln_two_pi: Pair<T>,
-    pub(crate) ln_pi: Pair<T>,
-    pub(crate) ln_two_over_pi: Pair<T>,
-    pub(crate) ln_three_over_two_pi: Pair<T>,
     pub(crate) disk_moments: Moments<T>,
     pub(crate) circle_shell_moments: Moments<T>,
     pub(crate) circle_arc_moments: Moments<T>,

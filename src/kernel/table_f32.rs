@@ -2,10 +2,10 @@
 #![allow(clippy::approx_constant)] // the constants are the point
 
 use super::pair::Pair;
-use super::table::{Series, Table};
+use super::table::{Constants, Series, Table};
 use crate::Moments;
 
-pub(crate) const TABLE: Table<f32> = Table {
+pub(crate) const CONSTANTS: Constants<Pair<f32>> = Constants {
     // pi / 2
     half_pi: Pair {
         hi: 1.5707964,
@@ -76,6 +76,9 @@ pub(crate) const TABLE: Table<f32> = Table {
         hi: -0.7392648,
         lo: 8.5022025e-9,
     },
+};
+
+pub(crate) const TABLE: Table<f32> = Table {
     disk_moments: Moments {
         mean_cos: 0.84882635,
         var_cos: 0.029493805,

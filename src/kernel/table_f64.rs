@@ -2,10 +2,10 @@
 #![allow(clippy::approx_constant)] // the constants are the point
 
 use super::pair::Pair;
-use super::table::{Series, Table};
+use super::table::{Constants, Series, Table};
 use crate::Moments;
 
-pub(crate) const TABLE: Table<f64> = Table {
+pub(crate) const CONSTANTS: Constants<Pair<f64>> = Constants {
     // pi / 2
     half_pi: Pair {
         hi: 1.5707963267948966,
@@ -76,6 +76,9 @@ pub(crate) const TABLE: Table<f64> = Table {
         hi: -0.7392647777412358,
         lo: -1.3147089188670469e-17,
     },
+};
+
+pub(crate) const TABLE: Table<f64> = Table {
     disk_moments: Moments {
         mean_cos: 0.8488263631567752,
         var_cos: 0.029493805210042513,

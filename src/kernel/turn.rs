@@ -3,11 +3,11 @@
 use super::pair::Pair;
 use super::poly::horner;
 use crate::CosSin;
-use crate::number::Real;
+use crate::number::native::Native;
 
 /// (cos, sin) of 2πx = `slope`·`arg` for |x| ≤ 1/8, where `slope` is 2π times `share`.
 #[inline(always)]
-fn eighth<T: Real>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
+fn eighth<T: Native>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
     let v = x * x;
     let bend = v * share * horner(v, T::TABLE.sin_turn);
     CosSin {
@@ -18,8 +18,8 @@ fn eighth<T: Real>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
 
 /// The pair at `quadrant`/4 + x turns, |x| ≤ 1/8.
 #[inline]
-pub(crate) fn at_quadrant<T: Real>(quadrant: u32, x: T) -> CosSin<T> {
-    let CosSin { cos, sin } = eighth(x, x, T::TABLE.two_pi, T::ONE);
+pub(crate) fn at_quadrant<T: Native>(quadrant: u32, x: T) -> CosSin<T> {
+    let CosSin { cos, sin } = eighth(x, x, T::CONSTANTS.two_pi, T::ONE);
     let (odd, behind) = (quadrant & 1 != 0, quadrant & 2 != 0);
     CosSin {
         cos: T::select(odd, sin, cos).negate_if(odd != behind),
@@ -29,19 +29,19 @@ pub(crate) fn at_quadrant<T: Real>(quadrant: u32, x: T) -> CosSin<T> {
 
 /// The pair at u turns, 0 ≤ u ≤ 1.
 #[inline]
-pub(crate) fn at_turn<T: Real>(u: T) -> CosSin<T> {
+pub(crate) fn at_turn<T: Native>(u: T) -> CosSin<T> {
     let quadrant = (u * T::int(4) + T::HALF).to_u32();
     at_quadrant(quadrant, u - T::int(quadrant as i16) * T::QUARTER)
 }
 
 /// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ 1/2: cos is that of the angle from the axis.
 #[inline]
-pub(crate) fn half_turn<T: Real>(p: T) -> CosSin<T> {
+pub(crate) fn half_turn<T: Native>(p: T) -> CosSin<T> {
     let d = T::HALF - p;
     let near = p < T::QUARTER;
     // The argument stays p: half a subnormal p would lose its last bit.
     let arg = T::select(near, p, d);
-    let CosSin { cos, sin } = eighth(arg * T::HALF, arg, T::TABLE.pi, T::HALF);
+    let CosSin { cos, sin } = eighth(arg * T::HALF, arg, T::CONSTANTS.pi, T::HALF);
     CosSin {
         cos: T::select(near, sin, cos),
         sin: T::select(near, cos, sin),

@@ -1,10 +1,11 @@
 //! Uniform by volume in a ball.
 
-use super::{Law, Spatial};
-use crate::kernel::root::sqrt_scaled;
+use super::Spatial;
+use super::formulas::{Fixed, Formulas, Own, SolidAngle};
 use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
-use crate::kernel::trig::at_angle;
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -16,7 +17,7 @@ use rand_core::Rng;
 /// > 2 cos³θ / π per steradian; q = 2 cos³θ sin θ / π per dθ dφ, θ ∈ \[0, π/2\]
 ///
 /// and cdf 1 − cos⁴θ. As a sampler for a Lambert reflector its weight 1/(2 cos²θ) has infinite
-/// variance: see [`Law::lambert_weight`].
+/// variance: see [`Law::lambert_weight`](crate::Law::lambert_weight).
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -45,64 +46,69 @@ impl Ball {
     }
 }
 
-impl<T: Real> Law<T> for Ball {
+impl<W: Kernel> Formulas<W> for Ball {
     #[inline]
-    fn pdf(&self, theta: T) -> T {
-        let at = at_angle(theta);
+    fn pdf(&self, theta: W) -> W {
+        let at = W::at_angle(theta);
         let p = at.cos.times(at.cos).times(at.cos.times(at.sin));
         within(
             theta,
             spatial(theta),
-            p.times(T::TABLE.two_over_pi).value(),
-            T::ZERO,
+            p.times(W::CONSTANTS.two_over_pi).value(),
+            W::ZERO,
         )
     }
 
     #[inline]
-    fn ln_pdf(&self, theta: T) -> T {
-        let at = at_angle(theta);
-        let p = T::TABLE.ln_two_over_pi.hi + at.ln_cos() * T::int(3) + at.sin.value().ln();
-        within(theta, spatial(theta), p, -T::INFINITY)
+    fn ln_pdf(&self, theta: W) -> W {
+        let at = W::at_angle(theta);
+        let p =
+            W::CONSTANTS.ln_two_over_pi.value() + W::ln_cos(at) * W::int(3) + at.sin.value().ln();
+        within(theta, spatial(theta), p, -W::INFINITY)
     }
 
     #[inline]
-    fn tails(&self, theta: T) -> Tails<T> {
-        let at = at_angle(theta);
+    fn tails(&self, theta: W) -> Tails<W> {
+        let at = W::at_angle(theta);
         let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
-        let lower = s2.value() * (T::ONE + c2.value());
+        let lower = s2.value() * (W::ONE + c2.value());
         spatial_tails(theta, Tails::from_both(lower, c2.times(c2).value()))
     }
 
     #[inline]
-    fn density(&self, at: CosSin<T>) -> T {
-        let p = at.cos * at.cos * at.cos * T::TABLE.two_over_pi.hi;
+    fn density(&self, at: CosSin<W>) -> W {
+        let p = at.cos * at.cos * at.cos * W::CONSTANTS.two_over_pi.value();
         spatial_pair(at, p)
     }
 
     #[inline]
-    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+    fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let cos_squared = p.upper().sqrt();
         CosSin {
             cos: cos_squared.sqrt(),
-            sin: sqrt_scaled(p.lower(), |x| x / (T::ONE + cos_squared)),
+            sin: W::sqrt_scaled(p.lower(), |x| x / (W::ONE + cos_squared)),
         }
     }
 
     #[inline]
-    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+    fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
-        let lower = s2 * (T::ONE + c2);
+        let lower = s2 * (W::ONE + c2);
         spatial_pair_tails(at, Tails::from_both(lower, c2 * c2))
     }
 
     #[inline]
-    fn lambert_weight(&self, at: CosSin<T>) -> T {
-        spatial_pair(at, T::HALF / (at.cos * at.cos))
+    fn lambert_weight(&self, at: CosSin<W>) -> W {
+        spatial_pair(at, W::HALF / (at.cos * at.cos))
     }
+}
 
+impl Own for Ball {}
+
+impl Fixed for Ball {
     #[inline]
-    fn moments(&self) -> Moments<T> {
-        T::TABLE.ball_moments
+    fn moments<B: Native>() -> Moments<B> {
+        B::TABLE.ball_moments
     }
 }
 
@@ -110,11 +116,11 @@ impl<T: Real> Tangent<T> for Ball {
     const MEASURE: Measure = Measure::Volume;
 }
 
-impl<T: Real> Spatial<T> for Ball {
+impl<W: Kernel> SolidAngle<W> for Ball {
     #[inline]
-    fn pdf_solid_angle(&self, theta: T) -> T {
-        let c = at_angle(theta).cos;
-        let p = c.times(c).times(c.times(T::TABLE.two_over_pi)).value();
-        within(theta, spatial(theta), p, T::ZERO)
+    fn pdf_solid_angle(&self, theta: W) -> W {
+        let c = W::at_angle(theta).cos;
+        let p = c.times(c).times(c.times(W::CONSTANTS.two_over_pi)).value();
+        within(theta, spatial(theta), p, W::ZERO)
     }
 }

@@ -1,10 +1,11 @@
 //! Uniform by arc length on a circle.
 
-use super::{Law, Planar};
+use super::Planar;
+use super::formulas::{Fixed, Formulas, Own};
 use crate::kernel::select::{planar, planar_pair, within};
-use crate::kernel::trig::{from_end, into_support};
-use crate::kernel::turn::half_turn;
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -42,33 +43,40 @@ impl CircleArc {
     }
 }
 
-impl<T: Real> Law<T> for CircleArc {
+impl<W: Kernel> Formulas<W> for CircleArc {
     #[inline]
-    fn pdf(&self, theta: T) -> T {
-        within(theta, planar(theta), T::TABLE.recip_pi.hi, T::ZERO)
+    fn pdf(&self, theta: W) -> W {
+        within(theta, planar(theta), W::CONSTANTS.recip_pi.value(), W::ZERO)
     }
 
     #[inline]
-    fn ln_pdf(&self, theta: T) -> T {
-        within(theta, planar(theta), -T::TABLE.ln_pi.hi, -T::INFINITY)
+    fn ln_pdf(&self, theta: W) -> W {
+        within(
+            theta,
+            planar(theta),
+            -W::CONSTANTS.ln_pi.value(),
+            -W::INFINITY,
+        )
     }
 
     #[inline]
-    fn tails(&self, theta: T) -> Tails<T> {
-        let p = from_end(theta.abs()).times(T::TABLE.recip_pi).value();
-        let p = within(theta, planar(theta), p, T::ZERO);
-        Tails::from_nearer(p, theta > T::ZERO)
+    fn tails(&self, theta: W) -> Tails<W> {
+        let p = W::from_end(theta.abs())
+            .times(W::CONSTANTS.recip_pi)
+            .value();
+        let p = within(theta, planar(theta), p, W::ZERO);
+        Tails::from_nearer(p, theta > W::ZERO)
     }
 
     #[inline]
-    fn density(&self, at: CosSin<T>) -> T {
-        planar_pair(at, T::TABLE.recip_pi.hi)
+    fn density(&self, at: CosSin<W>) -> W {
+        planar_pair(at, W::CONSTANTS.recip_pi.value())
     }
 
     #[inline]
-    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+    fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_upper) = p.nearer();
-        let CosSin { cos, sin } = half_turn(p);
+        let CosSin { cos, sin } = W::half_turn(p);
         CosSin {
             cos,
             sin: sin.negate_if(!is_upper),
@@ -76,32 +84,36 @@ impl<T: Real> Law<T> for CircleArc {
     }
 
     #[inline]
-    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
-        let (sin, recip_pi) = (at.sin.abs(), T::TABLE.recip_pi.hi);
+    fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
+        let (sin, recip_pi) = (at.sin.abs(), W::CONSTANTS.recip_pi.value());
         let p = if at.cos <= sin {
             at.cos.atan2(sin) * recip_pi
         } else {
-            T::HALF - sin.atan2(at.cos) * recip_pi
+            W::HALF - sin.atan2(at.cos) * recip_pi
         };
-        Tails::from_nearer(planar_pair(at, p), at.sin > T::ZERO)
+        Tails::from_nearer(planar_pair(at, p), at.sin > W::ZERO)
     }
 
     #[inline]
-    fn quantile_tails(&self, p: Tails<T>) -> T {
+    fn quantile_tails(&self, p: Tails<W>) -> W {
         let (p, is_upper) = p.nearer();
-        let d = T::HALF - p;
-        let theta = into_support(d * T::TABLE.pi.hi + d * T::TABLE.pi.lo);
+        let d = W::HALF - p;
+        let theta = W::Wide::exact(d).times(W::CONSTANTS.pi).value();
         theta.negate_if(!is_upper)
     }
 
     #[inline]
-    fn lambert_weight(&self, at: CosSin<T>) -> T {
-        planar_pair(at, T::TABLE.half_pi.hi * at.cos)
+    fn lambert_weight(&self, at: CosSin<W>) -> W {
+        planar_pair(at, W::CONSTANTS.half_pi.value() * at.cos)
     }
+}
 
+impl Own for CircleArc {}
+
+impl Fixed for CircleArc {
     #[inline]
-    fn moments(&self) -> Moments<T> {
-        T::TABLE.circle_arc_moments
+    fn moments<B: Native>() -> Moments<B> {
+        B::TABLE.circle_arc_moments
     }
 }
 

@@ -1,9 +1,11 @@
 //! Uniform by radial thickness on a circle: the paper's circle, and the flat world's Lambert law.
 
-use super::{Law, Planar};
+use super::Planar;
+use super::formulas::{Fixed, Formulas, Own};
 use crate::kernel::select::{planar, planar_pair, within};
-use crate::kernel::trig::at_angle;
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -47,41 +49,41 @@ impl CircleShell {
     }
 }
 
-impl<T: Real> Law<T> for CircleShell {
+impl<W: Kernel> Formulas<W> for CircleShell {
     #[inline]
-    fn pdf(&self, theta: T) -> T {
-        let p = at_angle(theta).cos.value() * T::HALF;
-        within(theta, planar(theta), p, T::ZERO)
+    fn pdf(&self, theta: W) -> W {
+        let p = W::at_angle(theta).cos.value() * W::HALF;
+        within(theta, planar(theta), p, W::ZERO)
     }
 
     #[inline]
-    fn ln_pdf(&self, theta: T) -> T {
-        let p = at_angle(theta).ln_cos() - T::TABLE.ln_2.hi;
-        within(theta, planar(theta), p, -T::INFINITY)
+    fn ln_pdf(&self, theta: W) -> W {
+        let p = W::ln_cos(W::at_angle(theta)) - W::CONSTANTS.ln_2.value();
+        within(theta, planar(theta), p, -W::INFINITY)
     }
 
     #[inline]
-    fn tails(&self, theta: T) -> Tails<T> {
-        let at = at_angle(theta);
+    fn tails(&self, theta: W) -> Tails<W> {
+        let at = W::at_angle(theta);
         let p = nearer_tail(at.cos.times(at.cos).value(), at.sin.value());
-        let p = within(theta, planar(theta), p, T::ZERO);
-        Tails::from_nearer(p, theta > T::ZERO)
+        let p = within(theta, planar(theta), p, W::ZERO);
+        Tails::from_nearer(p, theta > W::ZERO)
     }
 
     #[inline]
-    fn density(&self, at: CosSin<T>) -> T {
-        planar_pair(at, at.cos * T::HALF)
+    fn density(&self, at: CosSin<W>) -> W {
+        planar_pair(at, at.cos * W::HALF)
     }
 
     #[inline]
-    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+    fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_upper) = p.nearer();
-        let sin = T::ONE - (p + p);
+        let sin = W::ONE - (p + p);
         // 4p(1 − p), each half in the order that keeps it monotone in p.
-        let cos_squared = if p < T::QUARTER {
-            (p - p * p) * T::int(4)
+        let cos_squared = if p < W::QUARTER {
+            (p - p * p) * W::int(4)
         } else {
-            T::ONE - sin * sin
+            W::ONE - sin * sin
         };
         CosSin {
             cos: cos_squared.sqrt(),
@@ -90,24 +92,28 @@ impl<T: Real> Law<T> for CircleShell {
     }
 
     #[inline]
-    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+    fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let sin = at.sin.abs();
         let p = if at.cos <= sin {
             nearer_tail(at.cos * at.cos, sin)
         } else {
-            (T::ONE - sin) * T::HALF
+            (W::ONE - sin) * W::HALF
         };
-        Tails::from_nearer(planar_pair(at, p), at.sin > T::ZERO)
+        Tails::from_nearer(planar_pair(at, p), at.sin > W::ZERO)
     }
 
     #[inline]
-    fn lambert_weight(&self, at: CosSin<T>) -> T {
-        planar_pair(at, T::ONE)
+    fn lambert_weight(&self, at: CosSin<W>) -> W {
+        planar_pair(at, W::ONE)
     }
+}
 
+impl Own for CircleShell {}
+
+impl Fixed for CircleShell {
     #[inline]
-    fn moments(&self) -> Moments<T> {
-        T::TABLE.circle_shell_moments
+    fn moments<B: Native>() -> Moments<B> {
+        B::TABLE.circle_shell_moments
     }
 }
 
@@ -119,6 +125,6 @@ impl<T: Real> Planar<T> for CircleShell {}
 
 /// (1 − |sin θ|)/2 without its cancellation near the horizon.
 #[inline(always)]
-fn nearer_tail<T: Real>(cos_squared: T, sin: T) -> T {
-    cos_squared * T::HALF / (T::ONE + sin)
+fn nearer_tail<W: Kernel>(cos_squared: W, sin: W) -> W {
+    cos_squared * W::HALF / (W::ONE + sin)
 }

@@ -1,12 +1,15 @@
 //! Real exponents: the Phong lobe.
 
-use super::{Law, Spatial};
+use super::Spatial;
+use super::formulas::{Formulas, In, Own, SolidAngle};
 use crate::kernel::moment::cosine_integrals;
 use crate::kernel::pair::Pair;
-use crate::kernel::power::{exp_times, ln, ln_cos_power, one_minus_exp};
+use crate::kernel::power::ln;
 use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
-use crate::kernel::trig::{PairCosSin, at_angle_fine};
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::native::Native;
+use crate::number::tier::Holds;
 use crate::{CosSin, Moments, Tails};
 use core::fmt;
 use rand_core::Rng;
@@ -95,154 +98,160 @@ impl<T: Real> CosPower<T> {
     pub fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         Spatial::sample(self, rng)
     }
+}
 
+impl<W: Kernel> CosPower<W> {
     /// k + 1, exactly.
     #[inline(always)]
-    fn successor(&self) -> Pair<T> {
-        Pair::sum(self.exponent, T::ONE)
+    fn successor(&self) -> W::Wide {
+        W::Wide::sum(self.exponent, W::ONE)
     }
 
     /// (k+1) cosᵏθ/(2π) times `factor`.
     #[inline]
-    fn lobe(&self, at: PairCosSin<T>, factor: Pair<T>) -> T {
-        let scale = self.successor().times(T::TABLE.recip_two_pi).times(factor);
-        if at.cos.hi > T::ZERO {
-            exp_times(ln_cos_power(Pair::exact(self.exponent), at), scale)
-        } else if self.exponent == T::ZERO {
+    fn lobe(&self, at: CosSin<W::Wide>, factor: W::Wide) -> W {
+        let scale = self
+            .successor()
+            .times(W::CONSTANTS.recip_two_pi)
+            .times(factor);
+        if at.cos.leading() > W::ZERO {
+            W::exp_times(W::ln_cos_power(W::Wide::exact(self.exponent), at), scale)
+        } else if self.exponent == W::ZERO {
             scale.value()
         } else {
-            T::ZERO
+            W::ZERO
         }
     }
 
     #[inline]
-    fn tails_at(&self, at: PairCosSin<T>) -> Tails<T> {
-        if at.cos.hi > T::ZERO {
-            let a = ln_cos_power(self.successor(), at);
-            Tails::from_both(one_minus_exp(a), exp_times(a, Pair::exact(T::ONE)))
+    fn tails_at(&self, at: CosSin<W::Wide>) -> Tails<W> {
+        if at.cos.leading() > W::ZERO {
+            let a = W::ln_cos_power(self.successor(), at);
+            let upper = W::exp_times(a, W::Wide::exact(W::ONE));
+            Tails::from_both(W::one_minus_exp(a), upper)
         } else {
-            Tails::from_nearer(T::ZERO, true)
+            Tails::from_nearer(W::ZERO, true)
         }
     }
 }
 
 #[inline(always)]
-fn exact<T: Real>(at: CosSin<T>) -> PairCosSin<T> {
-    PairCosSin {
-        cos: Pair::exact(at.cos),
-        sin: Pair::exact(at.sin),
+fn exact<W: Kernel>(at: CosSin<W>) -> CosSin<W::Wide> {
+    CosSin {
+        cos: W::Wide::exact(at.cos),
+        sin: W::Wide::exact(at.sin),
     }
 }
 
-impl<T: Real> Law<T> for CosPower<T> {
+impl<W: Kernel> Formulas<W> for CosPower<W> {
     #[inline]
-    fn pdf(&self, theta: T) -> T {
-        let at = at_angle_fine(theta);
-        within(theta, spatial(theta), self.lobe(at, at.sin), T::ZERO)
+    fn pdf(&self, theta: W) -> W {
+        let at = W::at_angle_fine(theta);
+        within(theta, spatial(theta), self.lobe(at, at.sin), W::ZERO)
     }
 
     /// Summed in pairs, since its terms cancel where the density passes 1 (large k only); between −1
     /// and 1 the error is bounded in ulps of 1, not of the result.
     #[inline]
-    fn ln_pdf(&self, theta: T) -> T {
-        let at = at_angle_fine(theta);
-        let power = ln_cos_power(Pair::exact(self.exponent), at);
-        let p = if at.sin.hi > T::ZERO && power.hi.is_finite() {
-            ln(self.successor())
-                .add(T::TABLE.ln_two_pi.neg())
+    fn ln_pdf(&self, theta: W) -> W {
+        let at = W::at_angle_fine(theta);
+        let power = W::ln_cos_power(W::Wide::exact(self.exponent), at);
+        let p = if at.sin.leading() > W::ZERO && power.leading().is_finite() {
+            W::ln_wide(self.successor())
+                .add(W::CONSTANTS.ln_two_pi.neg())
                 .add(power)
-                .add(ln(at.sin))
+                .add(W::ln_wide(at.sin))
                 .value()
         } else {
-            -T::INFINITY
+            -W::INFINITY
         };
-        within(theta, spatial(theta), p, -T::INFINITY)
+        within(theta, spatial(theta), p, -W::INFINITY)
     }
 
     #[inline]
-    fn tails(&self, theta: T) -> Tails<T> {
-        spatial_tails(theta, self.tails_at(at_angle_fine(theta)))
+    fn tails(&self, theta: W) -> Tails<W> {
+        spatial_tails(theta, self.tails_at(W::at_angle_fine(theta)))
     }
 
     #[inline]
-    fn density(&self, at: CosSin<T>) -> T {
-        spatial_pair(at, self.lobe(exact(at), Pair::exact(T::ONE)))
+    fn density(&self, at: CosSin<W>) -> W {
+        spatial_pair(at, self.lobe(exact(at), W::Wide::exact(W::ONE)))
     }
 
-    /// cos θ = (1 − u)^(1/(k+1)), through the exponential of a pair.
+    /// cos θ = (1 − u)^(1/(k+1)).
     #[inline]
-    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
-        let (lower, upper) = (p.lower(), p.upper());
-        if upper == T::ZERO {
-            return CosSin {
-                cos: T::ZERO,
-                sin: T::ONE,
-            };
-        }
-        let log = if upper < T::HALF {
-            ln(Pair::exact(upper))
-        } else {
-            Pair::exact((-lower).ln_1p())
-        };
-        let next = self.successor();
-        let a = log.div(next);
-        let twice = a.add(a);
-        let sin = if -a.hi < T::NEGLIGIBLE * T::NEGLIGIBLE {
-            // sin²θ = −2a, which for large k underflows before its root does.
-            (-(log.hi + log.hi)).sqrt() / next.hi.sqrt()
-        } else {
-            one_minus_exp(twice).sqrt()
-        };
-        CosSin {
-            cos: exp_times(a, Pair::exact(T::ONE)),
-            sin,
-        }
+    fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
+        W::power_warp(p, self.successor())
     }
 
     #[inline]
-    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+    fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         spatial_pair_tails(at, self.tails_at(exact(at)))
     }
 
     #[inline]
-    fn lambert_weight(&self, at: CosSin<T>) -> T {
-        let k = Pair::sum(self.exponent, -T::ONE);
-        let scale = Pair::exact(T::int(2)).div(self.successor());
-        let weight = if at.cos > T::ZERO {
-            exp_times(ln_cos_power(k.neg(), exact(at)), scale)
-        } else if self.exponent == T::ONE {
-            T::ONE
-        } else if self.exponent > T::ONE {
-            T::INFINITY
+    fn lambert_weight(&self, at: CosSin<W>) -> W {
+        let k = W::Wide::sum(self.exponent, -W::ONE);
+        let scale = W::Wide::exact(W::int(2)).div(self.successor());
+        let weight = if at.cos > W::ZERO {
+            W::exp_times(W::ln_cos_power(k.neg(), exact(at)), scale)
+        } else if self.exponent == W::ONE {
+            W::ONE
+        } else if self.exponent > W::ONE {
+            W::INFINITY
         } else {
-            T::ZERO
+            W::ZERO
         };
         spatial_pair(at, weight)
     }
+}
 
-    fn moments(&self) -> Moments<T> {
-        let k = self.exponent;
-        let next = self.successor();
-        let mean_cos = next.hi / (k + T::int(2));
-        let (mean_theta, weighted) = cosine_integrals(next.hi);
-        let entropy = T::TABLE
-            .ln_two_pi
-            .add(ln(next).neg())
-            .add(Pair::exact(k).div(next));
-        Moments {
-            mean_cos,
-            var_cos: mean_cos / (k + T::int(3)) / (k + T::int(2)),
-            mean_theta,
-            var_theta: weighted + weighted - mean_theta * mean_theta,
-            entropy: entropy.value(),
-        }
+impl<W: Kernel> SolidAngle<W> for CosPower<W> {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: W) -> W {
+        let p = self.lobe(W::at_angle_fine(theta), W::Wide::exact(W::ONE));
+        within(theta, spatial(theta), p, W::ZERO)
     }
 }
 
-impl<T: Real> Spatial<T> for CosPower<T> {
-    #[inline]
-    fn pdf_solid_angle(&self, theta: T) -> T {
-        let p = self.lobe(at_angle_fine(theta), Pair::exact(T::ONE));
-        within(theta, spatial(theta), p, T::ZERO)
+impl<T> Own for CosPower<T> {}
+
+impl<T: Real> In<T> for CosPower<T> {
+    type Quick = CosPower<T::Quick>;
+    type Work = CosPower<T::Work>;
+
+    #[inline(always)]
+    fn quick(&self) -> CosPower<T::Quick> {
+        CosPower {
+            exponent: T::Quick::of(self.exponent),
+        }
+    }
+
+    #[inline(always)]
+    fn work(&self) -> CosPower<T::Work> {
+        CosPower {
+            exponent: T::Work::of(self.exponent),
+        }
+    }
+
+    fn moments(&self) -> Moments<T> {
+        moments(self.exponent.to_base()).map(T::of_base)
+    }
+}
+
+fn moments<B: Native>(k: B) -> Moments<B> {
+    let next = Pair::sum(k, B::ONE);
+    let mean_cos = next.hi / (k + B::int(2));
+    let (mean_theta, weighted) = cosine_integrals(next.hi);
+    let entropy = <B as Native>::CONSTANTS
+        .ln_two_pi
+        .add(ln(next).neg())
+        .add(Pair::exact(k).div(next));
+    Moments {
+        mean_cos,
+        var_cos: mean_cos / (k + B::int(3)) / (k + B::int(2)),
+        mean_theta,
+        var_theta: weighted + weighted - mean_theta * mean_theta,
+        entropy: entropy.value(),
     }
 }

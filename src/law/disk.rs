@@ -1,10 +1,11 @@
 //! Uniform by area in a disk.
 
-use super::{Law, Planar};
-use crate::kernel::kepler::{angle_at_tail, pair_at_tail, tail_at_angle, tail_at_pair};
+use super::Planar;
+use super::formulas::{Fixed, Formulas, Own};
 use crate::kernel::select::{planar, planar_pair, within};
-use crate::kernel::trig::{at_angle, into_support};
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -46,38 +47,38 @@ impl Disk {
     }
 }
 
-impl<T: Real> Law<T> for Disk {
+impl<W: Kernel> Formulas<W> for Disk {
     #[inline]
-    fn pdf(&self, theta: T) -> T {
-        let c = at_angle(theta).cos;
-        let p = c.times(c).times(T::TABLE.two_over_pi).value();
-        within(theta, planar(theta), p, T::ZERO)
+    fn pdf(&self, theta: W) -> W {
+        let c = W::at_angle(theta).cos;
+        let p = c.times(c).times(W::CONSTANTS.two_over_pi).value();
+        within(theta, planar(theta), p, W::ZERO)
     }
 
     #[inline]
-    fn ln_pdf(&self, theta: T) -> T {
-        let p = T::TABLE.ln_two_over_pi.hi + at_angle(theta).ln_cos() * T::int(2);
-        within(theta, planar(theta), p, -T::INFINITY)
+    fn ln_pdf(&self, theta: W) -> W {
+        let p = W::CONSTANTS.ln_two_over_pi.value() + W::ln_cos(W::at_angle(theta)) * W::int(2);
+        within(theta, planar(theta), p, -W::INFINITY)
     }
 
     #[inline]
-    fn tails(&self, theta: T) -> Tails<T> {
+    fn tails(&self, theta: W) -> Tails<W> {
         let inside = planar(theta);
-        let p = within(theta, inside, tail_at_angle(theta.abs()), T::ZERO);
-        Tails::from_nearer(p, theta > T::ZERO)
+        let p = within(theta, inside, W::disk_tail_at_angle(theta.abs()), W::ZERO);
+        Tails::from_nearer(p, theta > W::ZERO)
     }
 
     #[inline]
-    fn density(&self, at: CosSin<T>) -> T {
+    fn density(&self, at: CosSin<W>) -> W {
         let c2 = at.cos * at.cos;
-        let p = c2 * T::TABLE.two_over_pi.hi;
+        let p = c2 * W::CONSTANTS.two_over_pi.value();
         planar_pair(at, p)
     }
 
     #[inline]
-    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+    fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_upper) = p.nearer();
-        let CosSin { cos, sin } = pair_at_tail(p);
+        let CosSin { cos, sin } = W::disk_pair_at_tail(p);
         CosSin {
             cos,
             sin: sin.negate_if(!is_upper),
@@ -85,26 +86,29 @@ impl<T: Real> Law<T> for Disk {
     }
 
     #[inline]
-    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
-        let p = tail_at_pair(at.cos, at.sin.abs());
-        Tails::from_nearer(planar_pair(at, p), at.sin > T::ZERO)
+    fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
+        let p = W::disk_tail_at_pair(at.cos, at.sin.abs());
+        Tails::from_nearer(planar_pair(at, p), at.sin > W::ZERO)
     }
 
     #[inline]
-    fn quantile_tails(&self, p: Tails<T>) -> T {
+    fn quantile_tails(&self, p: Tails<W>) -> W {
         let (p, is_upper) = p.nearer();
-        let theta = into_support(angle_at_tail(p));
-        theta.negate_if(!is_upper)
+        W::disk_angle_at_tail(p).negate_if(!is_upper)
     }
 
     #[inline]
-    fn lambert_weight(&self, at: CosSin<T>) -> T {
-        planar_pair(at, T::TABLE.pi.hi * T::QUARTER / at.cos.abs())
+    fn lambert_weight(&self, at: CosSin<W>) -> W {
+        planar_pair(at, W::CONSTANTS.pi.value() * W::QUARTER / at.cos.abs())
     }
+}
 
+impl Own for Disk {}
+
+impl Fixed for Disk {
     #[inline]
-    fn moments(&self) -> Moments<T> {
-        T::TABLE.disk_moments
+    fn moments<B: Native>() -> Moments<B> {
+        B::TABLE.disk_moments
     }
 }
 

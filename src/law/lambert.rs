@@ -1,9 +1,11 @@
 //! Uniform by area on a sphere: Lambert's cosine law.
 
-use super::{Law, Spatial};
+use super::Spatial;
+use super::formulas::{Fixed, Formulas, Own, SolidAngle};
 use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
-use crate::kernel::trig::at_angle;
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -46,35 +48,35 @@ impl Lambert {
     }
 }
 
-impl<T: Real> Law<T> for Lambert {
+impl<W: Kernel> Formulas<W> for Lambert {
     #[inline]
-    fn pdf(&self, theta: T) -> T {
-        let at = at_angle(theta);
-        let p = at.cos.times(at.sin).times(T::TABLE.recip_pi).value();
-        within(theta, spatial(theta), p, T::ZERO)
+    fn pdf(&self, theta: W) -> W {
+        let at = W::at_angle(theta);
+        let p = at.cos.times(at.sin).times(W::CONSTANTS.recip_pi).value();
+        within(theta, spatial(theta), p, W::ZERO)
     }
 
     #[inline]
-    fn ln_pdf(&self, theta: T) -> T {
-        let at = at_angle(theta);
-        let p = at.ln_cos() - T::TABLE.ln_pi.hi + at.sin.value().ln();
-        within(theta, spatial(theta), p, -T::INFINITY)
+    fn ln_pdf(&self, theta: W) -> W {
+        let at = W::at_angle(theta);
+        let p = W::ln_cos(at) - W::CONSTANTS.ln_pi.value() + at.sin.value().ln();
+        within(theta, spatial(theta), p, -W::INFINITY)
     }
 
     #[inline]
-    fn tails(&self, theta: T) -> Tails<T> {
-        let at = at_angle(theta);
+    fn tails(&self, theta: W) -> Tails<W> {
+        let at = W::at_angle(theta);
         let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
         spatial_tails(theta, Tails::from_both(s2.value(), c2.value()))
     }
 
     #[inline]
-    fn density(&self, at: CosSin<T>) -> T {
-        spatial_pair(at, at.cos * T::TABLE.recip_pi.hi)
+    fn density(&self, at: CosSin<W>) -> W {
+        spatial_pair(at, at.cos * W::CONSTANTS.recip_pi.value())
     }
 
     #[inline]
-    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
+    fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         CosSin {
             cos: p.upper().sqrt(),
             sin: p.lower().sqrt(),
@@ -82,19 +84,23 @@ impl<T: Real> Law<T> for Lambert {
     }
 
     #[inline]
-    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+    fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         spatial_pair_tails(at, Tails::from_both(s2, c2))
     }
 
     #[inline]
-    fn lambert_weight(&self, at: CosSin<T>) -> T {
-        spatial_pair(at, T::ONE)
+    fn lambert_weight(&self, at: CosSin<W>) -> W {
+        spatial_pair(at, W::ONE)
     }
+}
 
+impl Own for Lambert {}
+
+impl Fixed for Lambert {
     #[inline]
-    fn moments(&self) -> Moments<T> {
-        T::TABLE.lambert_moments
+    fn moments<B: Native>() -> Moments<B> {
+        B::TABLE.lambert_moments
     }
 }
 
@@ -102,10 +108,10 @@ impl<T: Real> Tangent<T> for Lambert {
     const MEASURE: Measure = Measure::SurfaceArea;
 }
 
-impl<T: Real> Spatial<T> for Lambert {
+impl<W: Kernel> SolidAngle<W> for Lambert {
     #[inline]
-    fn pdf_solid_angle(&self, theta: T) -> T {
-        let p = at_angle(theta).cos.times(T::TABLE.recip_pi).value();
-        within(theta, spatial(theta), p, T::ZERO)
+    fn pdf_solid_angle(&self, theta: W) -> W {
+        let p = W::at_angle(theta).cos.times(W::CONSTANTS.recip_pi).value();
+        within(theta, spatial(theta), p, W::ZERO)
     }
 }

@@ -5,6 +5,7 @@ mod circle_arc;
 mod circle_shell;
 mod cos_power;
 mod disk;
+mod formulas;
 mod lambert;
 mod sphere_shell;
 
@@ -16,9 +17,10 @@ pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
 pub use sphere_shell::SphereShell;
 
-use crate::kernel::trig::angle;
-use crate::kernel::turn::at_turn;
+use crate::kernel::select::into_support;
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::tier::{Holds, Margin};
 use crate::{CosSin, Frame, Moments, Tails, uniform};
 use rand_core::Rng;
 
@@ -66,7 +68,13 @@ pub trait Law<T: Real> {
     /// θ at the given tails, never outside the support.
     #[inline]
     fn quantile_tails(&self, p: Tails<T>) -> T {
-        angle(self.warp_tails(p))
+        let CosSin { cos, sin } = self.warp_tails(p);
+        let [theta] = T::rounded(
+            Margin::Relative,
+            || [T::Quick::of(sin).atan2(Holds::of(cos))],
+            || [T::Work::of(sin).atan2(Holds::of(cos))],
+        );
+        into_support(theta)
     }
 
     /// P(Θ ≤ θ), azimuth integrated out. Keeps its relative accuracy towards 0.
@@ -172,7 +180,11 @@ pub trait Spatial<T: Real>: Law<T> {
                 sin: turn,
             }
         } else {
-            at_turn(turn)
+            CosSin::of_array(T::rounded(
+                Margin::Relative,
+                || T::Quick::at_turn(Holds::of(turn)).to_array(),
+                || T::Work::at_turn(Holds::of(turn)).to_array(),
+            ))
         };
         spherical(self.warp(u[0]), azimuth)
     }
@@ -185,12 +197,22 @@ pub trait Spatial<T: Real>: Law<T> {
             cos: d[1],
             sin: CosSin::hypot(d[0], d[2]),
         };
-        let turn = d[2].atan2(d[0]) * T::TABLE.recip_two_pi.hi;
+        let [turn] = T::rounded(
+            Margin::Relative,
+            || [turns(Holds::of(d[2]), Holds::of(d[0]))],
+            || [turns::<T::Work>(Holds::of(d[2]), Holds::of(d[0]))],
+        );
         let turn = if turn < T::ZERO { turn + T::ONE } else { turn };
         // A negative turn smaller than half an ulp of 1 rounds to 1, which is 0 again.
         let turn = if turn >= T::ONE { T::ZERO } else { turn };
         [self.unwarp(at), turn.abs()]
     }
+}
+
+/// The angle of (x, y) in turns, from −½ to ½.
+#[inline(always)]
+fn turns<W: Kernel>(y: W, x: W) -> W {
+    y.atan2(x) * W::CONSTANTS.recip_two_pi.value()
 }
 
 /// \[sin θ cos φ, cos θ, sin θ sin φ\].

@@ -1,12 +1,11 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
-use super::{Law, Spatial};
-use crate::kernel::cbrt::{cbrt_times, refine};
-use crate::kernel::pair::Pair;
-use crate::kernel::root::{sqrt_pair, sqrt_scaled};
+use super::Spatial;
+use super::formulas::{Fixed, Formulas, Own, SolidAngle};
 use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
-use crate::kernel::trig::{angle, at_angle};
 use crate::number::Real;
+use crate::number::kernel::{Kernel, Wide};
+use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -48,52 +47,54 @@ impl SphereShell {
     }
 }
 
-impl<T: Real> Law<T> for SphereShell {
+impl<W: Kernel> Formulas<W> for SphereShell {
     #[inline]
-    fn pdf(&self, theta: T) -> T {
-        let at = at_angle(theta);
+    fn pdf(&self, theta: W) -> W {
+        let at = W::at_angle(theta);
         let p = at.cos.times(at.sin).times(at.cos);
         within(
             theta,
             spatial(theta),
-            p.times(T::TABLE.three_over_two_pi).value(),
-            T::ZERO,
+            p.times(W::CONSTANTS.three_over_two_pi).value(),
+            W::ZERO,
         )
     }
 
     #[inline]
-    fn ln_pdf(&self, theta: T) -> T {
-        let at = at_angle(theta);
-        let p = T::TABLE.ln_three_over_two_pi.hi + at.ln_cos() * T::int(2) + at.sin.value().ln();
-        within(theta, spatial(theta), p, -T::INFINITY)
+    fn ln_pdf(&self, theta: W) -> W {
+        let at = W::at_angle(theta);
+        let p = W::CONSTANTS.ln_three_over_two_pi.value()
+            + W::ln_cos(at) * W::int(2)
+            + at.sin.value().ln();
+        within(theta, spatial(theta), p, -W::INFINITY)
     }
 
     #[inline]
-    fn tails(&self, theta: T) -> Tails<T> {
-        let at = at_angle(theta);
+    fn tails(&self, theta: W) -> Tails<W> {
+        let at = W::at_angle(theta);
         let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
         let lower = lower_tail(at.cos.value(), s2.value());
         spatial_tails(theta, Tails::from_both(lower, c2.times(at.cos).value()))
     }
 
     #[inline]
-    fn density(&self, at: CosSin<T>) -> T {
-        let p = at.cos * at.cos * T::TABLE.three_over_two_pi.hi;
+    fn density(&self, at: CosSin<W>) -> W {
+        let p = at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value();
         spatial_pair(at, p)
     }
 
     #[inline]
-    fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
-        let cos = cbrt_times(Pair::exact(T::ONE), p.upper());
-        let ratio = (T::ONE + cos) / (T::ONE + cos + cos * cos);
+    fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
+        let cos = p.upper().cbrt();
+        let ratio = (W::ONE + cos) / (W::ONE + cos + cos * cos);
         CosSin {
             cos,
-            sin: sqrt_scaled(p.lower(), |x| x * ratio),
+            sin: W::sqrt_scaled(p.lower(), |x| x * ratio),
         }
     }
 
     #[inline]
-    fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
+    fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = lower_tail(at.cos, s2);
         spatial_pair_tails(at, Tails::from_both(lower, c2 * at.cos.abs()))
@@ -101,28 +102,31 @@ impl<T: Real> Law<T> for SphereShell {
 
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
     #[inline]
-    fn quantile_tails(&self, p: Tails<T>) -> T {
+    fn quantile_tails(&self, p: Tails<W>) -> W {
         let at = self.warp_tails(p);
         // Below this the ratio of the tails is 2/3 to all digits, and cubes would underflow.
-        let tiny = T::NEGLIGIBLE * T::NEGLIGIBLE;
-        if p.lower() < tiny || p.upper() < tiny {
-            return angle(at);
+        if p.lower().is_negligible() || p.upper().is_negligible() {
+            return at.sin.atan2(at.cos);
         }
-        let (one, cos) = (Pair::exact(T::ONE), refine(at.cos, p.upper()));
+        let (one, cos) = (W::Wide::exact(W::ONE), p.upper().cbrt_wide());
         let next = one.add(cos);
         let square = next.div(next.add(cos.mul(cos)));
-        let sin = sqrt_pair(square.mul(Pair::exact(p.lower())));
-        angle(CosSin { cos: at.cos, sin })
+        let sin = square.mul(W::Wide::exact(p.lower())).sqrt();
+        sin.atan2(at.cos)
     }
 
     #[inline]
-    fn lambert_weight(&self, at: CosSin<T>) -> T {
-        spatial_pair(at, T::int(2) / (T::int(3) * at.cos.abs()))
+    fn lambert_weight(&self, at: CosSin<W>) -> W {
+        spatial_pair(at, W::int(2) / (W::int(3) * at.cos.abs()))
     }
+}
 
+impl Own for SphereShell {}
+
+impl Fixed for SphereShell {
     #[inline]
-    fn moments(&self) -> Moments<T> {
-        T::TABLE.sphere_shell_moments
+    fn moments<B: Native>() -> Moments<B> {
+        B::TABLE.sphere_shell_moments
     }
 }
 
@@ -130,17 +134,17 @@ impl<T: Real> Tangent<T> for SphereShell {
     const MEASURE: Measure = Measure::SphereShell;
 }
 
-impl<T: Real> Spatial<T> for SphereShell {
+impl<W: Kernel> SolidAngle<W> for SphereShell {
     #[inline]
-    fn pdf_solid_angle(&self, theta: T) -> T {
-        let c = at_angle(theta).cos;
-        let p = c.times(c).times(T::TABLE.three_over_two_pi).value();
-        within(theta, spatial(theta), p, T::ZERO)
+    fn pdf_solid_angle(&self, theta: W) -> W {
+        let c = W::at_angle(theta).cos;
+        let p = c.times(c).times(W::CONSTANTS.three_over_two_pi).value();
+        within(theta, spatial(theta), p, W::ZERO)
     }
 }
 
 /// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.
 #[inline(always)]
-fn lower_tail<T: Real>(cos: T, sin_squared: T) -> T {
-    sin_squared * (T::ONE + cos + cos * cos) / (T::ONE + cos)
+fn lower_tail<W: Kernel>(cos: W, sin_squared: W) -> W {
+    sin_squared * (W::ONE + cos + cos * cos) / (W::ONE + cos)
 }

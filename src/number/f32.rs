@@ -1,9 +1,12 @@
 //! `f32`: native single precision; no operation touches `f64`.
 
 use super::Real;
-use super::kernel::Kernel;
-use crate::kernel::table::Table;
-use crate::kernel::table_f32::TABLE;
+use super::native::Native;
+use super::scalar::Scalar;
+use super::tier::{Holds, Margin, Tier};
+use crate::kernel::pair::Pair;
+use crate::kernel::table::{Constants, Table};
+use crate::kernel::table_f32::{CONSTANTS, TABLE};
 use crate::kernel::turn::at_quadrant;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
@@ -14,8 +17,7 @@ const fn power_of_two(n: i32) -> f32 {
 
 impl Real for f32 {}
 
-impl Kernel for f32 {
-    const TABLE: Table<f32> = TABLE;
+impl Scalar for f32 {
     const ZERO: f32 = 0.0;
     const QUARTER: f32 = 0.25;
     const HALF: f32 = 0.5;
@@ -26,59 +28,10 @@ impl Kernel for f32 {
     const MAX: f32 = f32::MAX;
     // FRAC_PI_2 as f32 lies 4.4e-8 beyond π/2.
     const HALF_PI_DOWN: f32 = f32::from_bits(core::f32::consts::FRAC_PI_2.to_bits() - 1);
-    const NEGLIGIBLE: f32 = power_of_two(-18);
-    const ROOT_UP: f32 = power_of_two(24);
-    const ROOT_DOWN: f32 = power_of_two(-12);
-    const CBRT_TINY: f32 = power_of_two(-100);
-    const CBRT_UP: f32 = power_of_two(60);
-    const CBRT_DOWN: f32 = power_of_two(-20);
-    const CBRT_STEPS: usize = 1;
-
-    type TailBits = u64;
-    type TurnBits = u32;
-
-    #[inline]
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
-        rng.next_u64()
-    }
-
-    #[inline]
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
-        rng.next_u32()
-    }
-
-    #[inline]
-    fn tails_of(bits: u64) -> Tails<f32> {
-        // Odd, so never zero; the conversion rounds to nearest, so ½ is reached and not passed.
-        let p = ((bits << 1) | 1) as f32 * power_of_two(-65);
-        Tails::from_nearer(p, bits >> 63 != 0)
-    }
-
-    #[inline]
-    fn turn_of(bits: u32) -> CosSin<f32> {
-        let quadrant = bits.wrapping_add(1 << 29) >> 30;
-        let rest = bits.wrapping_sub(quadrant << 30) as i32;
-        at_quadrant(quadrant, (2 * rest + 1) as f32 * power_of_two(-33))
-    }
 
     #[inline(always)]
     fn int(n: i16) -> f32 {
         f32::from(n)
-    }
-
-    #[inline(always)]
-    fn to_u32(self) -> u32 {
-        self as u32
-    }
-
-    #[inline(always)]
-    fn to_i32(self) -> i32 {
-        self as i32
-    }
-
-    #[inline(always)]
-    fn of_i32(n: i32) -> f32 {
-        n as f32
     }
 
     #[inline(always)]
@@ -115,6 +68,33 @@ impl Kernel for f32 {
     #[inline(always)]
     fn sqrt(self) -> f32 {
         libm::sqrtf(self)
+    }
+}
+
+impl Native for f32 {
+    const CONSTANTS: Constants<Pair<f32>> = CONSTANTS;
+    const TABLE: Table<f32> = TABLE;
+    const NEGLIGIBLE: f32 = power_of_two(-18);
+    const ROOT_UP: f32 = power_of_two(24);
+    const ROOT_DOWN: f32 = power_of_two(-12);
+    const CBRT_TINY: f32 = power_of_two(-100);
+    const CBRT_UP: f32 = power_of_two(60);
+    const CBRT_DOWN: f32 = power_of_two(-20);
+    const CBRT_STEPS: usize = 1;
+
+    #[inline(always)]
+    fn to_u32(self) -> u32 {
+        self as u32
+    }
+
+    #[inline(always)]
+    fn to_i32(self) -> i32 {
+        self as i32
+    }
+
+    #[inline(always)]
+    fn of_i32(n: i32) -> f32 {
+        n as f32
     }
 
     #[inline]
@@ -170,5 +150,68 @@ impl Kernel for f32 {
     fn cbrt_guess(self) -> f32 {
         // Divides the exponent by 3; the constant restores the bias and centres the error.
         f32::from_bits(self.to_bits() / 3 + 0x2A51_19F2)
+    }
+}
+
+impl Holds<f32> for f32 {
+    #[inline(always)]
+    fn of(x: f32) -> f32 {
+        x
+    }
+
+    #[inline(always)]
+    fn of_tails(p: Tails<f32>) -> Tails<f32> {
+        p
+    }
+}
+
+impl Tier for f32 {
+    type Quick = f32;
+    type Work = f32;
+    type Base = f32;
+    type TailBits = u64;
+    type TurnBits = u32;
+
+    #[inline(always)]
+    fn rounded<const N: usize>(
+        _: Margin,
+        _: impl FnOnce() -> [f32; N],
+        fine: impl FnOnce() -> [f32; N],
+    ) -> [f32; N] {
+        fine()
+    }
+
+    #[inline(always)]
+    fn to_base(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn of_base(x: f32) -> f32 {
+        x
+    }
+
+    #[inline]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
+        rng.next_u64()
+    }
+
+    #[inline]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
+        rng.next_u32()
+    }
+
+    #[inline]
+    fn tails_of(bits: u64) -> Tails<f32> {
+        // Odd, so never zero; the conversion rounds to nearest, so ½ is reached and not passed.
+        let p = ((bits << 1) | 1) as f32 * power_of_two(-65);
+        Tails::from_nearer(p, bits >> 63 != 0)
+    }
+
+    #[inline]
+    fn turn_of(bits: u32) -> CosSin<f32> {
+        let quadrant = bits.wrapping_add(1 << 29) >> 30;
+        let rest = bits.wrapping_sub(quadrant << 30) as i32;
+        at_quadrant(quadrant, (2 * rest + 1) as f32 * power_of_two(-33))
     }
 }

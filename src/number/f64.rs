@@ -1,9 +1,12 @@
 //! `f64`: native double precision.
 
 use super::Real;
-use super::kernel::Kernel;
-use crate::kernel::table::Table;
-use crate::kernel::table_f64::TABLE;
+use super::native::Native;
+use super::scalar::Scalar;
+use super::tier::{Holds, Margin, Tier};
+use crate::kernel::pair::Pair;
+use crate::kernel::table::{Constants, Table};
+use crate::kernel::table_f64::{CONSTANTS, TABLE};
 use crate::kernel::turn::at_quadrant;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
@@ -14,8 +17,7 @@ const fn power_of_two(n: i32) -> f64 {
 
 impl Real for f64 {}
 
-impl Kernel for f64 {
-    const TABLE: Table<f64> = TABLE;
+impl Scalar for f64 {
     const ZERO: f64 = 0.0;
     const QUARTER: f64 = 0.25;
     const HALF: f64 = 0.5;
@@ -26,59 +28,9 @@ impl Kernel for f64 {
     const MAX: f64 = f64::MAX;
     // FRAC_PI_2 as f64 lies 6.1e-17 inside π/2.
     const HALF_PI_DOWN: f64 = core::f64::consts::FRAC_PI_2;
-    const NEGLIGIBLE: f64 = power_of_two(-34);
-    const ROOT_UP: f64 = power_of_two(54);
-    const ROOT_DOWN: f64 = power_of_two(-27);
-    const CBRT_TINY: f64 = power_of_two(-900);
-    const CBRT_UP: f64 = power_of_two(300);
-    const CBRT_DOWN: f64 = power_of_two(-100);
-    const CBRT_STEPS: usize = 2;
-
-    type TailBits = u128;
-    type TurnBits = u64;
-
-    #[inline]
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u128 {
-        let high = u128::from(rng.next_u64());
-        (high << 64) | u128::from(rng.next_u64())
-    }
-
-    #[inline]
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
-        rng.next_u64()
-    }
-
-    #[inline]
-    fn tails_of(bits: u128) -> Tails<f64> {
-        // Odd, so never zero; the conversion rounds to nearest, so ½ is reached and not passed.
-        let p = ((bits << 1) | 1) as f64 * power_of_two(-129);
-        Tails::from_nearer(p, bits >> 127 != 0)
-    }
-
-    #[inline]
-    fn turn_of(bits: u64) -> CosSin<f64> {
-        let quadrant = bits.wrapping_add(1 << 61) >> 62;
-        let rest = bits.wrapping_sub(quadrant << 62) as i64;
-        at_quadrant(quadrant as u32, (2 * rest + 1) as f64 * power_of_two(-65))
-    }
 
     #[inline(always)]
     fn int(n: i16) -> f64 {
-        f64::from(n)
-    }
-
-    #[inline(always)]
-    fn to_u32(self) -> u32 {
-        self as u32
-    }
-
-    #[inline(always)]
-    fn to_i32(self) -> i32 {
-        self as i32
-    }
-
-    #[inline(always)]
-    fn of_i32(n: i32) -> f64 {
         f64::from(n)
     }
 
@@ -116,6 +68,33 @@ impl Kernel for f64 {
     #[inline(always)]
     fn sqrt(self) -> f64 {
         libm::sqrt(self)
+    }
+}
+
+impl Native for f64 {
+    const CONSTANTS: Constants<Pair<f64>> = CONSTANTS;
+    const TABLE: Table<f64> = TABLE;
+    const NEGLIGIBLE: f64 = power_of_two(-34);
+    const ROOT_UP: f64 = power_of_two(54);
+    const ROOT_DOWN: f64 = power_of_two(-27);
+    const CBRT_TINY: f64 = power_of_two(-900);
+    const CBRT_UP: f64 = power_of_two(300);
+    const CBRT_DOWN: f64 = power_of_two(-100);
+    const CBRT_STEPS: usize = 2;
+
+    #[inline(always)]
+    fn to_u32(self) -> u32 {
+        self as u32
+    }
+
+    #[inline(always)]
+    fn to_i32(self) -> i32 {
+        self as i32
+    }
+
+    #[inline(always)]
+    fn of_i32(n: i32) -> f64 {
+        f64::from(n)
     }
 
     #[inline]
@@ -171,5 +150,69 @@ impl Kernel for f64 {
     fn cbrt_guess(self) -> f64 {
         // Divides the exponent by 3; the constant restores the bias and centres the error.
         f64::from_bits(self.to_bits() / 3 + (715_094_163 << 32))
+    }
+}
+
+impl Holds<f64> for f64 {
+    #[inline(always)]
+    fn of(x: f64) -> f64 {
+        x
+    }
+
+    #[inline(always)]
+    fn of_tails(p: Tails<f64>) -> Tails<f64> {
+        p
+    }
+}
+
+impl Tier for f64 {
+    type Quick = f64;
+    type Work = f64;
+    type Base = f64;
+    type TailBits = u128;
+    type TurnBits = u64;
+
+    #[inline(always)]
+    fn rounded<const N: usize>(
+        _: Margin,
+        _: impl FnOnce() -> [f64; N],
+        fine: impl FnOnce() -> [f64; N],
+    ) -> [f64; N] {
+        fine()
+    }
+
+    #[inline(always)]
+    fn to_base(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn of_base(x: f64) -> f64 {
+        x
+    }
+
+    #[inline]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u128 {
+        let high = u128::from(rng.next_u64());
+        (high << 64) | u128::from(rng.next_u64())
+    }
+
+    #[inline]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
+        rng.next_u64()
+    }
+
+    #[inline]
+    fn tails_of(bits: u128) -> Tails<f64> {
+        // Odd, so never zero; the conversion rounds to nearest, so ½ is reached and not passed.
+        let p = ((bits << 1) | 1) as f64 * power_of_two(-129);
+        Tails::from_nearer(p, bits >> 127 != 0)
+    }
+
+    #[inline]
+    fn turn_of(bits: u64) -> CosSin<f64> {
+        let quadrant = bits.wrapping_add(1 << 61) >> 62;
+        let rest = bits.wrapping_sub(quadrant << 62) as i64;
+        at_quadrant(quadrant as u32, (2 * rest + 1) as f64 * power_of_two(-65))
     }
 }

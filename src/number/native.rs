@@ -1,0 +1,43 @@
+//! What the kernels need of a hardware format.
+
+use super::scalar::Scalar;
+use crate::kernel::pair::Pair;
+use crate::kernel::table::{Constants, Table};
+
+/// `f32` or `f64`: a format whose operations round to nearest, with its constants and coefficients.
+pub trait Native: Scalar {
+    const CONSTANTS: Constants<Pair<Self>>;
+    const TABLE: Table<Self>;
+
+    /// Half the format's significand: below it 1 − x²/2 is 1 to twice the precision.
+    const NEGLIGIBLE: Self;
+    /// A power of 4 that makes every subnormal normal, and the inverse of its root.
+    const ROOT_UP: Self;
+    const ROOT_DOWN: Self;
+    /// Below this, a cube root is taken of x·`CBRT_UP` and scaled back by `CBRT_DOWN`.
+    const CBRT_TINY: Self;
+    const CBRT_UP: Self;
+    const CBRT_DOWN: Self;
+    const CBRT_STEPS: usize;
+
+    /// Truncated; for 0 ≤ x < 2³¹.
+    fn to_u32(self) -> u32;
+    fn to_i32(self) -> i32;
+    fn of_i32(n: i32) -> Self;
+
+    fn ln(self) -> Self;
+    fn ln_1p(self) -> Self;
+    fn exp(self) -> Self;
+    fn exp_m1(self) -> Self;
+    /// atan2(self, x).
+    fn atan2(self, x: Self) -> Self;
+
+    /// self·2ⁿ, rounded once.
+    fn scale(self, n: i32) -> Self;
+    /// (m, e) with self = m·2ᵉ and m from √½ to √2, for finite self > 0.
+    fn split(self) -> (Self, i32);
+    /// The leading half of the significand's bits.
+    fn leading_half(self) -> Self;
+    /// ∛self to about 5 bits, for normal self > 0.
+    fn cbrt_guess(self) -> Self;
+}

@@ -1,0 +1,44 @@
+//! What every number can do: the arithmetic that needs no kernel.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number: of the public interface or of the working arithmetic behind it.
+pub trait Scalar:
+    Copy
+    + Debug
+    + Default
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    const ZERO: Self;
+    const QUARTER: Self;
+    const HALF: Self;
+    const ONE: Self;
+    const INFINITY: Self;
+    const NAN: Self;
+    const MIN_NORMAL: Self;
+    const MAX: Self;
+    /// The largest number that is not above the true π/2.
+    const HALF_PI_DOWN: Self;
+
+    fn int(n: i16) -> Self;
+
+    fn is_nan(self) -> bool;
+    fn is_finite(self) -> bool;
+    fn abs(self) -> Self;
+    /// `a` if `first`, else `b`, by masking bits: random bits choose, and a branch on them
+    /// would be mispredicted half the time.
+    fn select(first: bool, a: Self, b: Self) -> Self;
+    /// −self if `negative`.
+    fn negate_if(self, negative: bool) -> Self;
+    fn copysign(self, sign: Self) -> Self;
+    fn sqrt(self) -> Self;
+}
