@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes src/kernel/table_f32.rs and src/kernel/table_f64.rs.
+"""Writes src/kernel/table_f32.rs, src/kernel/table_f64.rs and src/kernel/double/table.rs.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -8,7 +8,8 @@ Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository
 Each polynomial is the best one with coefficients of the format (Sollya's fpminimax), at the
 least degree whose relative error is below the target. fpminimax gets an interpolant of the
 function that is exact to 1e-30, so that functions known only through an equation (Kepler's)
-need no closed form.
+need no closed form. The double-double series get leading coefficients of two and of one and a half
+words, as their share of the result calls for.
 """
 
 import struct
@@ -230,6 +231,24 @@ def text(x, bits):
     return mantissa + ("" if "." in mantissa else ".0") + (f"e{int(exponent)}" if exponent else "")
 
 
+def read_fit(script):
+    """Coefficients and log2 of the error that a script prints."""
+    out = subprocess.run(["sollya"], input="display=dyadic!;\n" + script, capture_output=True, text=True).stdout
+    cs, err = [], None
+    for line in out.splitlines():
+        if line.startswith("C "):
+            v = line[2:].strip()
+            m, _, e = v.partition("b")
+            cs.append(mpf(int(m)) * mpf(2) ** int(e or 0))
+        elif line.startswith("E "):
+            v = line[2:].strip()
+            m, _, e = v.partition("b")
+            err = mp.log(mpf(int(m)) * mpf(2) ** int(e or 0), 2)
+    if not cs:
+        sys.exit("sollya found no polynomial:\n" + out[:2000])
+    return cs, err
+
+
 def fit(coefficients, top, share, bits):
     """Sollya's polynomial of least degree with share * relative error < 2^-(bits + 2)."""
     target = mpf(2) ** -(bits + 2) / share
@@ -252,20 +271,7 @@ for n from {lo} to {12 if bits == 24 else 34} do {{
   }};
 }};
 """
-    out = subprocess.run(["sollya"], input="display=dyadic!;\n" + script, capture_output=True, text=True).stdout
-    cs, err = [], None
-    for line in out.splitlines():
-        if line.startswith("C "):
-            v = line[2:].strip()
-            m, _, e = v.partition("b")
-            cs.append(mpf(int(m)) * mpf(2) ** int(e or 0))
-        elif line.startswith("E "):
-            v = line[2:].strip()
-            m, _, e = v.partition("b")
-            err = mp.log(mpf(int(m)) * mpf(2) ** int(e or 0), 2)
-    if not cs:
-        sys.exit("sollya found no polynomial:\n" + out[:2000])
-    return cs, err
+    return read_fit(script)
 
 
 def pair(x, bits):
@@ -317,6 +323,102 @@ def emit(bits, fits):
     subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
 
 
+# The double-double kernels: name, coefficients, top, share of the result that the series makes, doc.
+DOUBLE_SERIES = [
+    ("SIN", factorial_series(True, 40), mpf("0.81"), mpf("0.14"), "(sin x - x) / x^3 in x^2, |x| <= 0.9"),
+    ("ATANH", [mpf(1) / (2 * j + 3) for j in range(80)], mpf("0.02945"), mpf("0.01"),
+     "(atanh z - z) / z^3 in z^2, |z| <= 3 - sqrt 8"),
+    ("COTH", [2 * mp.bernoulli(2 * j) / mp.factorial(2 * j) for j in range(1, 40)], mpf("0.1226"), mpf("0.0125"),
+     "(r coth r/2 - 2) / r^2 in r^2, |r| <= 0.35"),
+]
+
+# name, value, words, bits of each but the last (0: all), doc
+DOUBLE_CONSTANTS = [
+    ("HALF_PI", pi / 2, 3, 0, "pi / 2"),
+    ("QUARTER_PI", pi / 4, 2, 0, "pi / 4"),
+    ("PI", pi, 2, 0, "pi"),
+    ("TWO_PI", 2 * pi, 2, 0, "2 pi"),
+    ("RECIP_PI", 1 / pi, 2, 0, "1 / pi"),
+    ("LN_2", ln(2), 2, 0, "ln 2"),
+    ("LN_2_SHORT", ln(2), 3, 32, "ln 2; the first two words of 32 bits, so that n times them is exact"),
+]
+
+# A coefficient of 53 bits may have this share of the result, one of about 78 bits that share.
+PLAIN_SHARE = mpf(2) ** -45
+MIDDLE_SHARE = mpf(2) ** -21
+DOUBLE_TARGET = mpf(2) ** -99
+
+
+def fit_double(coefficients, top, share):
+    """Sollya's polynomial with leading double-double coefficients, cut where each share begins."""
+    shares = [share * abs(c / coefficients[0]) * top**i for i, c in enumerate(coefficients)]
+    full = sum(s > MIDDLE_SHARE for s in shares)
+    pairs = sum(s > PLAIN_SHARE for s in shares)
+    proxy = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(coefficients))
+    script = f"""
+prec = 600!;
+f = horner({proxy});
+top = {mp.nstr(top, 40)};
+found = 0;
+for n from {pairs + 2} to 30 do {{
+  if (found == 0) then {{
+    formats = [||];
+    for i from 0 to n do {{ if (i < {pairs}) then formats = formats :. DD else formats = formats :. D; }};
+    p = fpminimax(f, n, formats, [0; top], relative);
+    e = dirtyinfnorm(p / f - 1, [0; top]) * {mp.nstr(share, 20)};
+    if (e < {mp.nstr(DOUBLE_TARGET, 20)}) then {{
+      found = 1;
+      for i from 0 to n do {{ print("C", coeff(p, i)); }};
+      print("E", e);
+    }};
+  }};
+}};
+"""
+    cs, err = read_fit(script)
+    return cs[:full], cs[full:pairs], cs[pairs:], err
+
+
+def words(x, n, bits):
+    out = []
+    for i in range(n):
+        out.append(round_to(x, bits if bits and i < n - 1 else 53))
+        x -= out[-1]
+    return out
+
+
+def emit_double():
+    t = lambda x: text(x, 53)
+    pr = lambda x: "Pair { hi: %s, lo: %s }" % tuple(t(v) for v in pair(x, 53))
+    lines = [
+        "//! Constants and series of the double-double kernels, written by `python3 tools/coefficients.py`: do not edit.",
+        "#![allow(clippy::approx_constant)] // the constants are the point",
+        "",
+        "use super::Double;",
+        "use super::series::Series;",
+        "use crate::kernel::pair::Pair;",
+        "",
+    ]
+    for name, value, n, bits, doc in DOUBLE_CONSTANTS:
+        ws = words(value, n, bits)
+        lines += [f"// {doc}"]
+        if n == 2:
+            lines += [f"pub(crate) const {name}: Double = {pr(value)};"]
+        else:
+            lines += [f"pub(crate) const {name}: [f64; {n}] = [{', '.join(t(w) for w in ws)}];"]
+    for name, coefficients, top, share, doc in DOUBLE_SERIES:
+        full, middle, plain, err = fit_double(coefficients, top, share)
+        print(f"double: {name}: {len(full)} + {len(middle)} + {len(plain)} coefficients, "
+              f"error 2^{mp.nstr(err, 4)} of the result", flush=True)
+        lines += ["", f"// {doc}; error 2^{mp.nstr(err, 4)} of the result", f"pub(crate) const {name}: Series = Series {{"]
+        for field, cs, form in (("full", full, pr), ("middle", middle, pr), ("plain", plain, t)):
+            lines += [f"    {field}: &["] + [f"        {form(c)}," for c in cs] + ["    ],"]
+        lines += ["};"]
+    path = "src/kernel/double/table.rs"
+    with open(path, "w") as f:
+        f.write("\n".join(lines + [""]))
+    subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
+
+
 def main():
     proxies = [(n, series_free(f, 0, top), top, share, doc) for n, f, top, share, doc in POLYNOMIALS]
     for bits in (24, 53):
@@ -326,6 +428,7 @@ def main():
             print(f"{bits} bits: {name}: degree {len(cs) - 1}, relative error 2^{mp.nstr(err, 4)}", flush=True)
             fits.append((name, cs, err, doc))
         emit(bits, fits)
+    emit_double()
 
 
 if __name__ == "__main__":
