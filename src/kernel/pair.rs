@@ -3,7 +3,7 @@
 use crate::number::native::Native;
 
 /// The value `hi + lo`, `lo` small against `hi`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Pair<T> {
     pub(crate) hi: T,
     pub(crate) lo: T,

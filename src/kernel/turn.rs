@@ -4,6 +4,7 @@ use super::pair::Pair;
 use super::poly::horner;
 use crate::CosSin;
 use crate::number::native::Native;
+use crate::number::scalar::Scalar;
 
 /// (cos, sin) of 2πx = `slope`·`arg` for |x| ≤ 1/8, where `slope` is 2π times `share`.
 #[inline(always)]
@@ -19,7 +20,13 @@ fn eighth<T: Native>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
 /// The pair at `quadrant`/4 + x turns, |x| ≤ 1/8.
 #[inline]
 pub(crate) fn at_quadrant<T: Native>(quadrant: u32, x: T) -> CosSin<T> {
-    let CosSin { cos, sin } = eighth(x, x, T::CONSTANTS.two_pi, T::ONE);
+    into_quadrant(quadrant, eighth(x, x, T::CONSTANTS.two_pi, T::ONE))
+}
+
+/// The pair `at` turned on by `quadrant` right angles.
+#[inline(always)]
+pub(crate) fn into_quadrant<T: Scalar>(quadrant: u32, at: CosSin<T>) -> CosSin<T> {
+    let CosSin { cos, sin } = at;
     let (odd, behind) = (quadrant & 1 != 0, quadrant & 2 != 0);
     CosSin {
         cos: T::select(odd, sin, cos).negate_if(odd != behind),

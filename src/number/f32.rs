@@ -15,6 +15,13 @@ const fn power_of_two(n: i32) -> f32 {
     f32::from_bits(((127 + n) as u32) << 23)
 }
 
+/// (q, n): a uniform azimuth as q quarters and n·2⁻³³ turns, |n| < 2³⁰, n odd.
+#[inline(always)]
+pub(crate) fn parts_of_turn(bits: u32) -> (u32, i32) {
+    let quadrant = bits.wrapping_add(1 << 29) >> 30;
+    (quadrant, 2 * bits.wrapping_sub(quadrant << 30) as i32 + 1)
+}
+
 impl Real for f32 {}
 
 impl Scalar for f32 {
@@ -210,8 +217,7 @@ impl Tier for f32 {
 
     #[inline]
     fn turn_of(bits: u32) -> CosSin<f32> {
-        let quadrant = bits.wrapping_add(1 << 29) >> 30;
-        let rest = bits.wrapping_sub(quadrant << 30) as i32;
-        at_quadrant(quadrant, (2 * rest + 1) as f32 * power_of_two(-33))
+        let (quadrant, part) = parts_of_turn(bits);
+        at_quadrant(quadrant, part as f32 * power_of_two(-33))
     }
 }

@@ -11,8 +11,16 @@ use crate::kernel::turn::at_quadrant;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
-const fn power_of_two(n: i32) -> f64 {
+pub(crate) const fn power_of_two(n: i32) -> f64 {
     f64::from_bits(((1023 + n) as u64) << 52)
+}
+
+/// (q, n): a uniform azimuth as q quarters and n·2⁻⁶⁵ turns, |n| < 2⁶², n odd.
+#[inline(always)]
+pub(crate) fn parts_of_turn(bits: u64) -> (u32, i64) {
+    let quadrant = bits.wrapping_add(1 << 61) >> 62;
+    let part = 2 * bits.wrapping_sub(quadrant << 62) as i64 + 1;
+    (quadrant as u32, part)
 }
 
 impl Real for f64 {}
@@ -211,8 +219,7 @@ impl Tier for f64 {
 
     #[inline]
     fn turn_of(bits: u64) -> CosSin<f64> {
-        let quadrant = bits.wrapping_add(1 << 61) >> 62;
-        let rest = bits.wrapping_sub(quadrant << 62) as i64;
-        at_quadrant(quadrant as u32, (2 * rest + 1) as f64 * power_of_two(-65))
+        let (quadrant, part) = parts_of_turn(bits);
+        at_quadrant(quadrant, part as f64 * power_of_two(-65))
     }
 }

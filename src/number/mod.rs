@@ -1,11 +1,15 @@
 //! Number types: a format and an accuracy tier at once, one a file.
 
-mod f32;
-mod f64;
+mod double;
+pub(crate) mod f32;
+pub(crate) mod f64;
 pub(crate) mod kernel;
 pub(crate) mod native;
+mod precise;
 pub(crate) mod scalar;
 pub(crate) mod tier;
+
+pub use precise::Precise;
 
 /// A number type that the laws work in: [`prim@f32`], [`prim@f64`], [`Precise<f32>`](Precise) or
 /// [`Precise<f64>`](Precise).

@@ -11,7 +11,7 @@ use crate::CosSin;
 use crate::kernel::cbrt::cbrt_times;
 use crate::kernel::pair::Pair;
 use crate::kernel::poly::horner;
-use crate::number::kernel::Kernel;
+use crate::number::native::Native;
 
 /// An angle up to 0.9 with its cosine and sine, and the area that the law measures.
 struct Arc {
@@ -112,7 +112,7 @@ pub(crate) fn tail_at_pair(cos: Double, sin: Double) -> Double {
 fn corrected(p: Double) -> (f64, Arc, f64, bool) {
     let table = &f64::TABLE;
     if p.hi < 0.125 {
-        let s = cbrt_times(table.twelve_pi, p.hi);
+        let s = cbrt_times(<f64 as Native>::CONSTANTS.twelve_pi, p.hi);
         let t = s * s;
         let start = s * 0.5 + s * t * horner(t, table.kepler_tail);
         let arc = Arc::from_end(Pair::exact(start));
@@ -122,7 +122,8 @@ fn corrected(p: Double) -> (f64, Arc, f64, bool) {
         // From the pair's ½ − p: near ½ it is all that p holds.
         let d = Pair::exact(0.5).add(p.neg());
         let w = d.hi * d.hi;
-        let start = d.hi * (table.half_pi.hi + w * horner(w, table.kepler_centre));
+        let start =
+            d.hi * (<f64 as Native>::CONSTANTS.half_pi.hi + w * horner(w, table.kepler_centre));
         let arc = Arc::from_axis(Pair::exact(start));
         let step = arc.step_to(mul_raw(d, PI), arc.at.cos.hi);
         (start, arc, step, false)

@@ -4,7 +4,7 @@ use super::Double;
 use super::arith::{add_raw, add_smaller, mul_raw, normalise, scaled, square_raw};
 use super::table::{ATANH, COTH, LN_2, LN_2_SHORT};
 use crate::kernel::pair::Pair;
-use crate::number::kernel::Kernel;
+use crate::number::native::Native;
 
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as 2 atanh(f/(2 + f)).
 #[inline]

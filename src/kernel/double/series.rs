@@ -4,7 +4,7 @@ use super::Double;
 use super::arith::{add_raw, mul_raw, normalise};
 use crate::kernel::pair::Pair;
 use crate::kernel::poly::horner;
-use crate::number::kernel::Kernel;
+use crate::number::native::Native;
 
 /// A power series whose terms fall in size.
 pub(crate) struct Series {

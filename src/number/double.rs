@@ -1,0 +1,327 @@
+//! Double-double as a working arithmetic: what the `Precise` tiers compute in.
+
+use super::f64::power_of_two;
+use super::kernel::{Kernel, Wide};
+use super::native::Native;
+use super::scalar::Scalar;
+use super::tier::Holds;
+use crate::kernel::double::arith::scaled;
+use crate::kernel::double::{Double, angle, disk, log_exp, root};
+use crate::kernel::pair::Pair;
+use crate::kernel::table::Constants;
+use crate::kernel::turn::into_quadrant;
+use crate::{CosSin, Tails};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `result`, or its leading word alone where a zero or an overflow has left NaN in the trailing one.
+#[inline(always)]
+fn settled(leading: f64, result: Double) -> Double {
+    if leading.is_finite() && leading != 0.0 {
+        result
+    } else {
+        Pair::exact(leading)
+    }
+}
+
+impl Add for Double {
+    type Output = Self;
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        settled(self.hi + b.hi, Pair::add(self, b))
+    }
+}
+
+impl Sub for Double {
+    type Output = Self;
+    #[inline]
+    fn sub(self, b: Self) -> Self {
+        self + -b
+    }
+}
+
+impl Mul for Double {
+    type Output = Self;
+    #[inline]
+    fn mul(self, b: Self) -> Self {
+        settled(self.hi * b.hi, Pair::mul(self, b))
+    }
+}
+
+impl Div for Double {
+    type Output = Self;
+    #[inline]
+    fn div(self, b: Self) -> Self {
+        settled(self.hi / b.hi, Pair::div(self, b))
+    }
+}
+
+impl Neg for Double {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Pair::neg(self)
+    }
+}
+
+impl Scalar for Double {
+    const ZERO: Self = Pair { hi: 0.0, lo: 0.0 };
+    const QUARTER: Self = Pair { hi: 0.25, lo: 0.0 };
+    const HALF: Self = Pair { hi: 0.5, lo: 0.0 };
+    const ONE: Self = Pair { hi: 1.0, lo: 0.0 };
+    const INFINITY: Self = Pair {
+        hi: f64::INFINITY,
+        lo: 0.0,
+    };
+    const NAN: Self = Pair {
+        hi: f64::NAN,
+        lo: 0.0,
+    };
+    const MIN_NORMAL: Self = Pair {
+        hi: f64::MIN_POSITIVE,
+        lo: 0.0,
+    };
+    const MAX: Self = Pair {
+        hi: f64::MAX,
+        lo: 0.0,
+    };
+    const HALF_PI_DOWN: Self = <f64 as Native>::CONSTANTS.half_pi;
+
+    #[inline(always)]
+    fn int(n: i16) -> Self {
+        Pair::exact(f64::from(n))
+    }
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        self.hi.is_nan()
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.hi.is_finite()
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.negate_if(self.hi.is_sign_negative())
+    }
+    #[inline(always)]
+    fn select(first: bool, a: Self, b: Self) -> Self {
+        Pair {
+            hi: f64::select(first, a.hi, b.hi),
+            lo: f64::select(first, a.lo, b.lo),
+        }
+    }
+    #[inline(always)]
+    fn negate_if(self, negative: bool) -> Self {
+        Pair {
+            hi: self.hi.negate_if(negative),
+            lo: self.lo.negate_if(negative),
+        }
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        self.negate_if(self.hi.is_sign_negative() != sign.hi.is_sign_negative())
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        root::sqrt(self)
+    }
+}
+
+/// A double-double carries its own trailing digits, so that it is its own wide type.
+impl Wide<Double> for Double {
+    #[inline(always)]
+    fn exact(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn value(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn leading(self) -> Self {
+        self
+    }
+    #[inline]
+    fn sum(a: Self, b: Self) -> Self {
+        a + b
+    }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        -self
+    }
+    #[inline]
+    fn times(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline]
+    fn mul(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        self + b
+    }
+    #[inline]
+    fn div(self, b: Self) -> Self {
+        self / b
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        root::sqrt(self)
+    }
+}
+
+impl Holds<f64> for Double {
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        Pair::exact(x)
+    }
+}
+
+impl Kernel for Double {
+    type Wide = Double;
+
+    const CONSTANTS: Constants<Double> = <f64 as Native>::CONSTANTS;
+
+    #[inline]
+    fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
+        scaled(
+            root::sqrt(f(scaled(a, power_of_two(200)))),
+            power_of_two(-100),
+        )
+    }
+    #[inline]
+    fn cbrt(self) -> Self {
+        // Below this, trailing words would underflow on the way.
+        if self.hi < power_of_two(-500) {
+            scaled(
+                root::cbrt(scaled(self, power_of_two(900))),
+                power_of_two(-300),
+            )
+        } else {
+            root::cbrt(self)
+        }
+    }
+    #[inline]
+    fn cbrt_wide(self) -> Self {
+        Kernel::cbrt(self)
+    }
+    /// True: a double-double has nothing more to refine.
+    #[inline(always)]
+    fn is_negligible(self) -> bool {
+        true
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        log_exp::ln(self)
+    }
+    #[inline]
+    fn ln_cos(at: CosSin<Self>) -> Self {
+        if at.cos < at.sin {
+            log_exp::ln(at.cos)
+        } else {
+            log_exp::ln_1p(-(at.sin * at.sin)) * Self::HALF
+        }
+    }
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        angle::atan2(self, x)
+    }
+    #[inline]
+    fn from_end(a: Self) -> Self {
+        angle::from_end(a.hi)
+    }
+    #[inline]
+    fn at_angle(theta: Self) -> CosSin<Self> {
+        angle::at_angle(theta.hi)
+    }
+    #[inline]
+    fn at_angle_fine(theta: Self) -> CosSin<Self> {
+        angle::at_angle(theta.hi)
+    }
+    #[inline]
+    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
+        into_quadrant(quadrant, angle::at_eighth(x))
+    }
+    #[inline]
+    fn at_turn(u: Self) -> CosSin<Self> {
+        let quadrant = (u.hi * 4.0 + 0.5) as u32;
+        Self::at_quadrant(quadrant, u - Self::of(0.25 * f64::from(quadrant)))
+    }
+    #[inline]
+    fn half_turn(p: Self) -> CosSin<Self> {
+        if p < Self::QUARTER {
+            angle::swapped(angle::sin_cos(p * Self::CONSTANTS.pi))
+        } else {
+            angle::sin_cos((Self::HALF - p) * Self::CONSTANTS.pi)
+        }
+    }
+    #[inline]
+    fn disk_tail_at_angle(a: Self) -> Self {
+        disk::tail_at_angle(a.hi)
+    }
+    #[inline]
+    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self {
+        disk::tail_at_pair(cos, sin)
+    }
+    #[inline]
+    fn disk_pair_at_tail(p: Self) -> CosSin<Self> {
+        disk::pair_at_tail(p)
+    }
+    #[inline]
+    fn disk_angle_at_tail(p: Self) -> Self {
+        let (x, from_end) = disk::angle_at_tail(p);
+        if from_end { angle::pair_from_end(x) } else { x }
+    }
+    #[inline]
+    fn ln_wide(x: Self) -> Self {
+        log_exp::ln(x)
+    }
+    #[inline]
+    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
+        if at.sin.hi < power_of_two(-60) {
+            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
+            -(k * at.sin * at.sin * Self::HALF)
+        } else {
+            k * Self::ln_cos(at)
+        }
+    }
+    #[inline]
+    fn exp_times(a: Self, c: Self) -> Self {
+        let (m, n) = log_exp::exp(a);
+        let product = c * m;
+        Pair {
+            hi: product.hi.scale(n),
+            lo: product.lo.scale(n),
+        }
+    }
+    #[inline]
+    fn one_minus_exp(a: Self) -> Self {
+        -log_exp::exp_m1(a)
+    }
+    #[inline]
+    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
+        let (lower, upper) = (p.lower(), p.upper());
+        if upper == Self::ZERO {
+            return CosSin {
+                cos: Self::ZERO,
+                sin: Self::ONE,
+            };
+        }
+        let log = if upper < Self::HALF {
+            log_exp::ln(upper)
+        } else {
+            log_exp::ln_1p(-lower)
+        };
+        let a = log / n;
+        let sin = if -a.hi < power_of_two(-200) {
+            // sin²θ = −2a, which for large n underflows before its root does.
+            Self::sqrt_scaled(-(log + log), |x| x) / root::sqrt(n)
+        } else {
+            root::sqrt(-log_exp::exp_m1(a + a))
+        };
+        CosSin {
+            cos: Self::exp_times(a, Self::ONE),
+            sin,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! `Precise<f32>`: `f64` with a rounding test, double-double where it cannot decide.
+
+use super::Precise;
+use crate::kernel::double::Double;
+use crate::kernel::pair::Pair;
+use crate::number::Real;
+use crate::number::f32::parts_of_turn;
+use crate::number::f64::power_of_two;
+use crate::number::kernel::Kernel;
+use crate::number::scalar::Scalar;
+use crate::number::tier::{Holds, Margin, Tier};
+use crate::{CosSin, Tails};
+use rand_core::Rng;
+
+impl Holds<Precise<f32>> for f64 {
+    #[inline(always)]
+    fn of(x: Precise<f32>) -> f64 {
+        f64::from(x.0)
+    }
+}
+
+impl Holds<Precise<f32>> for Double {
+    #[inline(always)]
+    fn of(x: Precise<f32>) -> Double {
+        Pair::exact(f64::from(x.0))
+    }
+}
+
+/// The `f32` nearest to hi + lo. The sum is first rounded to odd, so that the second rounding
+/// cannot meet a tie that is none.
+fn nearest_f32(x: Double) -> f32 {
+    let hi = if x.lo != 0.0 && x.hi.is_finite() && x.hi.to_bits() & 1 == 0 {
+        let away = (x.lo > 0.0) == (x.hi > 0.0);
+        f64::from_bits(if away {
+            x.hi.to_bits() + 1
+        } else {
+            x.hi.to_bits() - 1
+        })
+    } else {
+        x.hi
+    };
+    hi as f32
+}
+
+/// `y` as an `f32`, if all that lies within the error of `f64`'s formulas around it rounds alike.
+///
+/// Those are within 4 ulp, 2⁻⁵⁰ of the result; the test allows twice that.
+#[inline(always)]
+fn decided(y: f64, margin: Margin) -> Option<f32> {
+    let scale = match margin {
+        Margin::OfOne if y.abs() < 1.0 => 1.0,
+        _ => y.abs(),
+    };
+    let error = scale * f64::EPSILON * 8.0;
+    let (below, above) = ((y - error) as f32, (y + error) as f32);
+    (below.to_bits() == above.to_bits()).then_some(below)
+}
+
+#[cold]
+fn decide<const N: usize>(fine: impl FnOnce() -> [Double; N]) -> [Precise<f32>; N] {
+    fine().map(|x| Precise(nearest_f32(x)))
+}
+
+impl Real for Precise<f32> {}
+
+impl Tier for Precise<f32> {
+    type Quick = f64;
+    type Work = Double;
+    type Base = f64;
+    type TailBits = u64;
+    type TurnBits = u32;
+
+    #[inline]
+    fn rounded<const N: usize>(
+        margin: Margin,
+        quick: impl FnOnce() -> [f64; N],
+        fine: impl FnOnce() -> [Double; N],
+    ) -> [Self; N] {
+        let mut out = [Self::ZERO; N];
+        for (out, y) in out.iter_mut().zip(quick()) {
+            match decided(y, margin) {
+                Some(x) => *out = Precise(x),
+                None => return decide(fine),
+            }
+        }
+        out
+    }
+
+    #[inline]
+    fn to_base(self) -> f64 {
+        f64::from(self.0)
+    }
+
+    #[inline]
+    fn of_base(x: f64) -> Self {
+        Precise(x as f32)
+    }
+
+    #[inline]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
+        f32::draw_tail_bits(rng)
+    }
+
+    #[inline]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
+        f32::draw_turn_bits(rng)
+    }
+
+    #[inline]
+    fn tails_of(bits: u64) -> Tails<Self> {
+        Tails::of_array(f32::tails_of(bits).to_array().map(Precise))
+    }
+
+    #[inline]
+    fn turn_of(bits: u32) -> CosSin<Self> {
+        let (quadrant, part) = parts_of_turn(bits);
+        let x = f64::from(part) * power_of_two(-33);
+        CosSin::of_array(Self::rounded(
+            Margin::Relative,
+            || f64::at_quadrant(quadrant, x).to_array(),
+            || Double::at_quadrant(quadrant, Pair::exact(x)).to_array(),
+        ))
+    }
+}
