@@ -6,13 +6,15 @@
 //! product of two trailing parts, of 27 bits each, can round.
 #![allow(dead_code)]
 
-mod angle;
-mod arith;
-mod disk;
-mod log_exp;
-mod root;
+pub(crate) mod angle;
+pub(crate) mod arith;
+pub(crate) mod disk;
+#[cfg(test)]
+mod hostile;
+pub(crate) mod log_exp;
+pub(crate) mod root;
 mod series;
-mod table;
+pub(crate) mod table;
 #[cfg(test)]
 mod tests;
 
