@@ -343,7 +343,7 @@ DOUBLE_CONSTANTS = [
     ("LN_2_SHORT", ln(2), 3, 32, "ln 2; the first two words of 32 bits, so that n times them is exact"),
 ]
 
-# A coefficient of 53 bits may have this share of the result, one of about 78 bits that share.
+# A coefficient of 53 bits may have this share of the result, a product good to 76 bits that share.
 PLAIN_SHARE = mpf(2) ** -45
 MIDDLE_SHARE = mpf(2) ** -21
 DOUBLE_TARGET = mpf(2) ** -99
@@ -352,7 +352,8 @@ DOUBLE_TARGET = mpf(2) ** -99
 def fit_double(coefficients, top, share):
     """Sollya's polynomial with leading double-double coefficients, cut where each share begins."""
     shares = [share * abs(c / coefficients[0]) * top**i for i, c in enumerate(coefficients)]
-    full = sum(s > MIDDLE_SHARE for s in shares)
+    # A step of Horner's rule multiplies what is beyond its coefficient: the share of the next one.
+    full = sum(s > MIDDLE_SHARE for s in shares[1:])
     pairs = sum(s > PLAIN_SHARE for s in shares)
     proxy = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(coefficients))
     script = f"""

@@ -83,9 +83,9 @@ impl<W: Kernel> Formulas<W> for Ball {
 
     #[inline]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        let cos_squared = p.upper().sqrt();
+        let (cos, cos_squared) = p.upper().fourth_root();
         CosSin {
-            cos: cos_squared.sqrt(),
+            cos,
             sin: W::sqrt_scaled(p.lower(), |x| x / (W::ONE + cos_squared)),
         }
     }

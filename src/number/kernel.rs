@@ -34,6 +34,12 @@ pub trait Kernel: Scalar {
 
     /// √(a·b) or √(a/b) by `f`, without losing digits where a is subnormal.
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self;
+    /// (∜self, √self) for self ≥ 0.
+    #[inline(always)]
+    fn fourth_root(self) -> (Self, Self) {
+        let root = self.sqrt();
+        (root.sqrt(), root)
+    }
     /// ∛self for self ≥ 0.
     fn cbrt(self) -> Self;
     /// As [`cbrt`](Kernel::cbrt), with what rounding took; for self far from underflow.

@@ -9,10 +9,12 @@
 pub(crate) mod angle;
 pub(crate) mod arith;
 pub(crate) mod disk;
+#[cfg(test)]
+mod hostile;
 pub(crate) mod log_exp;
 pub(crate) mod root;
 mod series;
-mod table;
+pub(crate) mod table;
 #[cfg(test)]
 mod tests;
 

@@ -58,12 +58,12 @@ pub(crate) const SIN: Series = Series {
             hi: -0.0001984126984126984,
             lo: -1.7209553668570416e-22,
         },
+    ],
+    middle: &[
         Pair {
             hi: 2.7557319223985893e-6,
             lo: -1.8584020713660748e-22,
         },
-    ],
-    middle: &[
         Pair {
             hi: -2.505210838544172e-8,
             lo: 1.4574368513444335e-24,
@@ -96,12 +96,12 @@ pub(crate) const ATANH: Series = Series {
             hi: 0.2,
             lo: -1.1102230424187237e-17,
         },
+    ],
+    middle: &[
         Pair {
             hi: 0.14285714285714285,
             lo: 7.930502453197285e-18,
         },
-    ],
-    middle: &[
         Pair {
             hi: 0.1111111111111111,
             lo: 5.9157486245318076e-18,
@@ -134,17 +134,15 @@ pub(crate) const ATANH: Series = Series {
 
 // (r coth r/2 - 2) / r^2 in r^2, |r| <= 0.35; error 2^-99.04 of the result
 pub(crate) const COTH: Series = Series {
-    full: &[
-        Pair {
-            hi: 0.16666666666666666,
-            lo: 9.251858538522503e-18,
-        },
+    full: &[Pair {
+        hi: 0.16666666666666666,
+        lo: 9.251858538522503e-18,
+    }],
+    middle: &[
         Pair {
             hi: -0.002777777777777778,
             lo: 1.0601090613668182e-19,
         },
-    ],
-    middle: &[
         Pair {
             hi: 6.613756613756614e-5,
             lo: -4.466028424270506e-21,

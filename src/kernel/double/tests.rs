@@ -1,10 +1,9 @@
-//! Every kernel against proven values, and what it does beside and outside its range.
+//! Every kernel against proven values.
 
 extern crate std;
 
 use super::series::Series;
 use super::{Double, angle, arith, disk, log_exp, root, table};
-use crate::CosSin;
 use crate::kernel::pair::Pair;
 use crate::number::kernel::Kernel;
 use std::string::String;
@@ -15,26 +14,26 @@ const REFERENCE: &str = include_str!("../../../tests/reference/double.csv");
 
 /// log₂ of the relative error that each function may have.
 const BOUNDS: &[(&str, f64)] = &[
-    ("sqrt", -95.0),
-    ("cbrt", -95.0),
-    ("from_end", -95.0),
-    ("pair_from_end", -95.0),
-    ("sin_cos cos", -95.0),
-    ("sin_cos sin", -95.0),
-    ("at_angle cos", -95.0),
-    ("at_angle sin", -95.0),
-    ("at_eighth cos", -95.0),
-    ("at_eighth sin", -95.0),
-    ("atan2", -95.0),
-    ("ln", -95.0),
-    ("ln_1p", -95.0),
+    ("sqrt", -103.0),
+    ("cbrt", -103.0),
+    ("from_end", -105.0),
+    ("pair_from_end", -98.0),
+    ("sin_cos cos", -102.0),
+    ("sin_cos sin", -102.0),
+    ("at_angle cos", -102.0),
+    ("at_angle sin", -102.0),
+    ("at_eighth cos", -102.0),
+    ("at_eighth sin", -102.0),
+    ("atan2", -102.0),
+    ("ln", -99.0),
+    ("ln_1p", -99.0),
     ("exp", -95.0),
-    ("exp_m1", -95.0),
-    ("tail_at_angle", -95.0),
-    ("tail_at_pair", -95.0),
-    ("angle_at_tail", -95.0),
-    ("pair_at_tail cos", -95.0),
-    ("pair_at_tail sin", -95.0),
+    ("exp_m1", -98.0),
+    ("tail_at_angle", -100.0),
+    ("tail_at_pair", -100.0),
+    ("angle_at_tail", -101.0),
+    ("pair_at_tail cos", -101.0),
+    ("pair_at_tail sin", -101.0),
 ];
 
 struct Row<'a> {
@@ -156,7 +155,6 @@ fn a_dropped_low_word_is_caught() {
             },
             table::SIN.full[1],
             table::SIN.full[2],
-            table::SIN.full[3],
         ],
         ..table::SIN
     };
@@ -172,75 +170,5 @@ fn a_dropped_low_word_is_caught() {
             .fold(f64::NEG_INFINITY, f64::max)
     };
     assert!(worst(&table::SIN) <= bound);
-    assert!(worst(&PLANTED) > bound + 20.0);
-}
-
-#[test]
-fn the_angle_of_zeros_and_infinities_is_that_of_std() {
-    let values = [0.0, -0.0, 1.0, -1.0, f64::INFINITY, f64::NEG_INFINITY];
-    for y in values {
-        for x in values {
-            let got = angle::atan2(Pair::exact(y), Pair::exact(x)).hi;
-            let want = std::primitive::f64::atan2(y, x);
-            assert_eq!(got.to_bits(), want.to_bits(), "atan2({y}, {x})");
-        }
-    }
-}
-
-#[test]
-fn no_argument_panics_and_nan_stays() {
-    let hostile = [
-        0.0,
-        -0.0,
-        5e-324,
-        -1.0,
-        0.7,
-        1e300,
-        -1e300,
-        f64::MAX,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-        f64::NAN,
-    ];
-    for a in hostile {
-        for b in hostile {
-            let (x, y) = (Pair::exact(a), Pair::exact(b));
-            let CosSin { cos, sin } = angle::sin_cos(x);
-            let turned = angle::at_eighth(x);
-            let folded = angle::at_angle(a);
-            let pair = disk::pair_at_tail(x);
-            let (exp, _) = log_exp::exp(x);
-            let (angle, _) = disk::angle_at_tail(x);
-            let of_one = [
-                root::sqrt(x),
-                root::cbrt(x),
-                angle::from_end(a),
-                angle::pair_from_end(x),
-                cos,
-                sin,
-                turned.cos,
-                turned.sin,
-                folded.cos,
-                folded.sin,
-                log_exp::ln(x),
-                log_exp::ln_1p(x),
-                exp,
-                log_exp::exp_m1(x),
-                disk::tail_at_angle(a),
-                angle,
-                pair.cos,
-                pair.sin,
-            ];
-            for (i, value) in of_one.iter().enumerate() {
-                assert!(!a.is_nan() || value.hi.is_nan(), "{i} at NaN: {value:?}");
-            }
-            let of_two = [angle::atan2(x, y), disk::tail_at_pair(x, y)];
-            for value in of_two {
-                assert!(
-                    !(a.is_nan() && b.is_nan()) || value.hi.is_nan(),
-                    "{value:?}"
-                );
-            }
-        }
-    }
+    assert!(worst(&PLANTED) > bound + 40.0);
 }
