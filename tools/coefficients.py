@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes src/kernel/table_f32.rs and src/kernel/table_f64.rs.
+"""Writes src/kernel/table_f32.rs, src/kernel/table_f64.rs and src/kernel/fast/table.rs.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -15,6 +15,7 @@ import struct
 import subprocess
 import sys
 
+import fast_coefficients
 from mpmath import mp, mpf, asin, cos, chebyt, ln, pi, sin, sqrt, findroot
 
 mp.dps = 110
@@ -325,6 +326,7 @@ def main():
             print(f"{bits} bits: {name}: degree {len(cs) - 1}, relative error 2^{mp.nstr(err, 4)}", flush=True)
             fits.append((name, cs, err, doc))
         emit(bits, fits)
+    fast_coefficients.write(series_free, newton, text)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 //! Pure numeric kernels, generic over the number type: no law and no generator is known here.
 
 pub(crate) mod cbrt;
+pub(crate) mod fast;
 pub(crate) mod kepler;
 pub(crate) mod moment;
 pub(crate) mod pair;
