@@ -65,7 +65,7 @@ pub use law::{
     SphereArea, SphereShell,
 };
 pub use moments::Moments;
-pub use number::{Precise, Real};
+pub use number::{Fast, Precise, Real};
 pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
 pub use tails::Tails;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes src/kernel/table_f32.rs, src/kernel/table_f64.rs and src/kernel/double/table.rs.
+"""Writes the tables of coefficients: src/kernel/table_f{32,64}.rs, src/kernel/{double,fast}/table.rs.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -16,6 +16,7 @@ import struct
 import subprocess
 import sys
 
+import fast_coefficients
 from mpmath import mp, mpf, asin, cos, chebyt, ln, pi, sin, sqrt, findroot
 
 mp.dps = 110
@@ -430,6 +431,7 @@ def main():
             fits.append((name, cs, err, doc))
         emit(bits, fits)
     emit_double()
+    fast_coefficients.write(series_free, newton, text)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 pub(crate) mod cbrt;
 pub(crate) mod double;
+pub(crate) mod fast;
 pub(crate) mod kepler;
 pub(crate) mod moment;
 pub(crate) mod pair;

@@ -3,16 +3,18 @@
 mod double;
 pub(crate) mod f32;
 pub(crate) mod f64;
+mod fast;
 pub(crate) mod kernel;
 pub(crate) mod native;
 mod precise;
 pub(crate) mod scalar;
 pub(crate) mod tier;
 
+pub use fast::Fast;
 pub use precise::Precise;
 
-/// A number type that the laws work in: [`prim@f32`], [`prim@f64`], [`Precise<f32>`](Precise) or
-/// [`Precise<f64>`](Precise).
+/// A number type that the laws work in: [`prim@f32`], [`prim@f64`], [`Precise<f32>`](Precise),
+/// [`Precise<f64>`](Precise) or [`Fast<f32>`](Fast).
 ///
 /// Sealed. A law's formula is written once; its number type decides the arithmetic that runs it.
 /// `f32` is computed in `f32` alone, on every target.

@@ -4,7 +4,6 @@
 //! hold while arguments and results lie between 2⁻⁴⁰⁰ and 2⁴⁰⁰; results are normalised, hi = RN(hi + lo),
 //! and what is exact comes out with lo = 0. `Pair::product` is off by at most one unit of 2⁻¹⁰⁴: only the
 //! product of two trailing parts, of 27 bits each, can round.
-#![allow(dead_code)]
 
 pub(crate) mod angle;
 pub(crate) mod arith;

@@ -1,0 +1,53 @@
+//! Fixed-point polynomials, and floats put together from integers.
+
+/// Σ cᵢ xⁱ, x in Q16: c₀ in Q(k + 16), the others in Qk.
+pub(crate) struct FixedPoint<const N: usize> {
+    pub(crate) first: u32,
+    pub(crate) rest: [i32; N],
+}
+
+impl<const N: usize> FixedPoint<N> {
+    /// The value in Q(k + 16): the last product keeps all its bits. Wraps for x outside the domain.
+    #[inline(always)]
+    pub(crate) fn at(&self, x: i32) -> u32 {
+        let mut sum = 0i32;
+        for (i, &c) in self.rest.iter().rev().enumerate() {
+            sum = if i == 0 {
+                c
+            } else {
+                (sum.wrapping_mul(x) >> 16).wrapping_add(c)
+            };
+        }
+        (sum.wrapping_mul(x) as u32).wrapping_add(self.first)
+    }
+}
+
+/// r·2ᵉ⁻³¹ for 2³¹ ≤ r < 2³², truncated to 24 bits: no conversion and no normalisation.
+#[inline(always)]
+pub(crate) const fn leading_31(r: u32, e: i32) -> f32 {
+    f32::from_bits((r >> 8).wrapping_add(((126 + e) << 23) as u32))
+}
+
+/// r·2ᵉ⁻³¹ for 2³⁰ ≤ r ≤ 2³¹; at the upper end the carry makes the next power of two.
+#[inline(always)]
+pub(crate) const fn leading_30(r: u32, e: i32) -> f32 {
+    f32::from_bits((r >> 7).wrapping_add(((125 + e) << 23) as u32))
+}
+
+/// x in Q16, truncated, for 0 ≤ x < 2; some number for any other x.
+#[inline(always)]
+pub(crate) fn q16(x: f32) -> i32 {
+    let bits = x.to_bits();
+    let significand = (bits & 0x007F_FFFF) | 0x0080_0000;
+    (significand >> 134u32.wrapping_sub(bits >> 23).min(31)) as i32
+}
+
+/// Σ cᵢ xⁱ in floats.
+#[inline(always)]
+pub(crate) fn horner<const N: usize>(x: f32, c: &[f32; N]) -> f32 {
+    let mut sum = 0.0;
+    for (i, &k) in c.iter().rev().enumerate() {
+        sum = if i == 0 { k } else { sum * x + k };
+    }
+    sum
+}

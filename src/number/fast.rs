@@ -1,0 +1,362 @@
+//! `Fast<f32>`: half the bits of an `f32`, for a fraction of its cost.
+
+use super::Real;
+use super::kernel::{Kernel, Wide};
+use super::native::Native;
+use super::scalar::Scalar;
+use super::tier::{Holds, Margin, Tier};
+use crate::kernel::fast::{angle, kepler, power, root, uniform};
+use crate::kernel::pair::Pair;
+use crate::kernel::table::Constants;
+use crate::kernel::turn::into_quadrant;
+use crate::{CosSin, Tails};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use rand_core::Rng;
+
+/// The cheapest tier: relative errors of about 2⁻¹² in densities and directions.
+///
+/// Sums of rounding errors are not carried, polynomials are short, and roots are integer
+/// arithmetic, so that a target without a floating-point unit gains most. Directions are unit vectors
+/// to 2⁻¹², inside the support, with positive density. Subnormal arguments are accepted; their
+/// accuracy is not promised.
+///
+/// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ and one for the
+/// azimuth; the deepest tail drawn is 2⁻³³.
+///
+/// ```
+/// use coslobe::{Fast, Lambert, Law};
+/// let at = Lambert.warp(Fast(0.25f32));
+/// assert!((at.sin.0 - 0.5).abs() < 1e-4);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Fast<T>(pub T);
+
+impl Add for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        Fast(self.0 + b.0)
+    }
+}
+
+impl Sub for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        Fast(self.0 - b.0)
+    }
+}
+
+impl Mul for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        Fast(self.0 * b.0)
+    }
+}
+
+impl Div for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, b: Self) -> Self {
+        Fast(self.0 / b.0)
+    }
+}
+
+impl Neg for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Fast(-self.0)
+    }
+}
+
+impl Scalar for Fast<f32> {
+    const ZERO: Self = Fast(0.0);
+    const QUARTER: Self = Fast(0.25);
+    const HALF: Self = Fast(0.5);
+    const ONE: Self = Fast(1.0);
+    const INFINITY: Self = Fast(f32::INFINITY);
+    const NAN: Self = Fast(f32::NAN);
+    const MIN_NORMAL: Self = Fast(f32::MIN_POSITIVE);
+    const MAX: Self = Fast(f32::MAX);
+    const HALF_PI_DOWN: Self = Fast(f32::HALF_PI_DOWN);
+
+    #[inline(always)]
+    fn int(n: i16) -> Self {
+        Fast(f32::from(n))
+    }
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        self.0.is_nan()
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Fast(self.0.abs())
+    }
+    #[inline(always)]
+    fn select(first: bool, a: Self, b: Self) -> Self {
+        Fast(f32::select(first, a.0, b.0))
+    }
+    #[inline(always)]
+    fn negate_if(self, negative: bool) -> Self {
+        Fast(self.0.negate_if(negative))
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        Fast(self.0.copysign(sign.0))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Fast(root::sqrt(self.0))
+    }
+}
+
+/// What rounding took does not count here: a number is its own wide type.
+impl Wide<Fast<f32>> for Fast<f32> {
+    #[inline(always)]
+    fn exact(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn value(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn leading(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn sum(a: Self, b: Self) -> Self {
+        a + b
+    }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        -self
+    }
+    #[inline(always)]
+    fn times(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        self + b
+    }
+    #[inline(always)]
+    fn div(self, b: Self) -> Self {
+        self / b
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Scalar::sqrt(self)
+    }
+}
+
+#[inline(always)]
+fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
+    CosSin {
+        cos: Fast(cos),
+        sin: Fast(sin),
+    }
+}
+
+const fn constant(pair: Pair<f32>) -> Fast<f32> {
+    Fast(pair.hi)
+}
+
+impl Kernel for Fast<f32> {
+    type Wide = Self;
+
+    const CONSTANTS: Constants<Self> = {
+        let c = <f32 as Native>::CONSTANTS;
+        Constants {
+            half_pi: constant(c.half_pi),
+            two_pi: constant(c.two_pi),
+            pi: constant(c.pi),
+            recip_pi: constant(c.recip_pi),
+            two_over_pi: constant(c.two_over_pi),
+            recip_two_pi: constant(c.recip_two_pi),
+            twelve_pi: constant(c.twelve_pi),
+            three_over_two_pi: constant(c.three_over_two_pi),
+            two_over_three_pi: constant(c.two_over_three_pi),
+            ln_2: constant(c.ln_2),
+            ln_two_pi: constant(c.ln_two_pi),
+            ln_pi: constant(c.ln_pi),
+            ln_two_over_pi: constant(c.ln_two_over_pi),
+            ln_three_over_two_pi: constant(c.ln_three_over_two_pi),
+        }
+    };
+
+    #[inline(always)]
+    fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
+        Scalar::sqrt(f(a))
+    }
+    #[inline(always)]
+    fn fourth_root(self) -> (Self, Self) {
+        let root = Fast(root::fourth_root(self.0));
+        (root, root * root)
+    }
+    #[inline(always)]
+    fn cbrt(self) -> Self {
+        Fast(root::cbrt(self.0))
+    }
+    #[inline(always)]
+    fn cbrt_wide(self) -> Self {
+        Kernel::cbrt(self)
+    }
+    /// True: nothing is refined.
+    #[inline(always)]
+    fn is_negligible(self) -> bool {
+        true
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        Fast(power::ln(self.0))
+    }
+    #[inline(always)]
+    fn ln_cos(at: CosSin<Self>) -> Self {
+        Fast(power::ln_cos(at.cos.0, at.sin.0))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        Fast(angle::atan2(self.0, x.0))
+    }
+    #[inline(always)]
+    fn from_end(a: Self) -> Self {
+        Fast(angle::from_end(a.0))
+    }
+    #[inline(always)]
+    fn at_angle(theta: Self) -> CosSin<Self> {
+        fast(angle::sin_cos(theta.0))
+    }
+    #[inline(always)]
+    fn at_angle_fine(theta: Self) -> CosSin<Self> {
+        Self::at_angle(theta)
+    }
+    #[inline(always)]
+    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
+        into_quadrant(quadrant, fast(angle::eighth_turn(x.0)))
+    }
+    #[inline(always)]
+    fn at_turn(u: Self) -> CosSin<Self> {
+        let quadrant = (u.0 * 4.0 + 0.5) as u32;
+        Self::at_quadrant(quadrant, Fast(u.0 - quadrant as f32 * 0.25))
+    }
+    #[inline(always)]
+    fn half_turn(p: Self) -> CosSin<Self> {
+        fast(angle::half_turn(p.0))
+    }
+    #[inline(always)]
+    fn disk_tail_at_angle(a: Self) -> Self {
+        Fast(kepler::tail_at_angle(a.0))
+    }
+    #[inline(always)]
+    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self {
+        Fast(kepler::tail_at_pair(cos.0, sin.0))
+    }
+    #[inline(always)]
+    fn disk_pair_at_tail(p: Self) -> CosSin<Self> {
+        fast(kepler::pair_at_tail(p.0))
+    }
+    #[inline(always)]
+    fn disk_angle_at_tail(p: Self) -> Self {
+        Fast(kepler::angle_at_tail(p.0))
+    }
+    #[inline(always)]
+    fn ln_wide(x: Self) -> Self {
+        Kernel::ln(x)
+    }
+    #[inline(always)]
+    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
+        k * Self::ln_cos(at)
+    }
+    #[inline(always)]
+    fn exp_times(a: Self, c: Self) -> Self {
+        c * Fast(power::exp(a.0))
+    }
+    #[inline(always)]
+    fn one_minus_exp(a: Self) -> Self {
+        Fast(power::one_minus_exp(a.0))
+    }
+    #[inline(always)]
+    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
+        let a = Fast(power::ln_upper(p.lower().0, p.upper().0)) / n;
+        CosSin {
+            cos: Fast(power::exp(a.0)),
+            sin: Scalar::sqrt(Self::one_minus_exp(a + a)),
+        }
+    }
+}
+
+impl Holds<Fast<f32>> for Fast<f32> {
+    #[inline(always)]
+    fn of(x: Self) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn of_tails(p: Tails<Self>) -> Tails<Self> {
+        p
+    }
+}
+
+impl Real for Fast<f32> {}
+
+impl Tier for Fast<f32> {
+    type Quick = Self;
+    type Work = Self;
+    type Base = f32;
+    type TailBits = u32;
+    type TurnBits = u32;
+
+    #[inline(always)]
+    fn rounded<const N: usize>(
+        _: Margin,
+        _: impl FnOnce() -> [Self; N],
+        fine: impl FnOnce() -> [Self; N],
+    ) -> [Self; N] {
+        fine()
+    }
+
+    #[inline(always)]
+    fn to_base(self) -> f32 {
+        self.0
+    }
+
+    #[inline(always)]
+    fn of_base(x: f32) -> Self {
+        Fast(x)
+    }
+
+    #[inline]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
+        rng.next_u32()
+    }
+
+    #[inline]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
+        rng.next_u32()
+    }
+
+    #[inline]
+    fn tails_of(bits: u32) -> Tails<Self> {
+        let (p, is_upper) = uniform::tail(bits);
+        Tails::from_nearer(Fast(p), is_upper)
+    }
+
+    #[inline]
+    fn turn_of(bits: u32) -> CosSin<Self> {
+        fast(uniform::turn(bits))
+    }
+}

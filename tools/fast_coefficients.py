@@ -1,0 +1,147 @@
+"""Polynomials of the `Fast<f32>` kernels: what `tools/coefficients.py` writes to src/kernel/fast/table.rs.
+
+Two kinds. A float polynomial has f32 coefficients. A fixed-point one is evaluated in 32-bit
+integers: x in Q16, c1.. in Qk, the constant term in Q(k + 16), and no product of
+Horner's rule leaves 32 bits (checked here). The error is that of the polynomial with its stored
+coefficients, certified by Sollya's supnorm against an interpolant exact to 1e-30.
+"""
+
+import subprocess
+import sys
+
+from mpmath import mp, mpf, asin, atan, atanh, cbrt, cos, pi, sin, sqrt
+
+
+# Half of cbrt 1/2 in Q16: powers of z - 0.397 keep the partial sums small.
+KEPLER_MIDDLE = 26008
+
+
+def of_square(f):
+    """f(sqrt v), by its limit at 0, where the quotients below are 0 / 0."""
+    return lambda v: f(sqrt(v) if v > mpf(10) ** -50 else mpf(10) ** -25)
+
+
+def kepler_angle(z, newton):
+    """eta with 2 eta - sin 2 eta = 2 pi z^3."""
+    s = cbrt(12 * pi) * z
+    y = s + s**3 / 60 + s**5 / 1400
+    return newton(lambda y: y - sin(y) - s**3 / 6, lambda y: 1 - cos(y), y) / 2
+
+
+def specs(newton):
+    eta = lambda z: kepler_angle(z, newton)
+    top = cbrt(mpf(1) / 2)
+    d = lambda z: mpf(1) / 2 - z**3
+    # At d = 0 the quotients by d are their limits, pi/2 each.
+    over_d = lambda f: (lambda z: f(z) / d(z) if abs(d(z)) > mpf(10) ** -40 else pi / 2)
+    middle = mpf(KEPLER_MIDDLE) / 65536
+    centred = lambda f: (lambda x: over_d(f)(x + middle))
+    tail = lambda s: mpf(1) / 2 - (asin(s) + s * sqrt(1 - s * s)) / pi
+    of_sine = lambda s: (tail(s) / (1 - s * s) ** mpf("1.5") if s < 1 - mpf(10) ** -30 else 2 / (3 * pi))
+    grown = lambda x: x * (1 + mpf(2) ** -12)
+    sinc = of_square(lambda x: sin(x) / x)
+    # name, function, interval, log2 of the error wanted, None or k, what it is
+    return [
+        ("SQRT", lambda f: sqrt(1 + f), (0, 1), -13.3, 15, "sqrt(1 + x)"),
+        ("CBRT", lambda f: cbrt(1 + f), (0, 1), -13.3, 15, "cbrt(1 + x)"),
+        ("FOURTH_ROOT", lambda f: sqrt(sqrt(1 + f)), (0, 1), -13.3, 15, "(1 + x)^(1/4)"),
+        ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
+        ("TURN_COS", of_square(lambda y: cos(pi / 4 * y)), (0, 1), -13.5, 15, "cos(pi y / 4) in y^2"),
+        ("KEPLER_COS", of_square(lambda z: sin(eta(z)) / z), (0, grown(top**2)), -13.7, 15,
+         "cos theta / z in z^2, z = cbrt p, p <= 1/2"),
+        ("KEPLER_SIN", centred(lambda z: cos(eta(z)) / 2), (-middle, grown(top) - middle), -13.3, 15,
+         "sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
+        ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -13.3, 15,
+         "theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
+        ("EXP2", lambda g: mpf(2) ** g, (0, 1 - mpf(2) ** -15), -15, 15, "2^x"),
+        ("EXP2_M1", lambda g: mp.expm1(g * mp.log(2)) / g if abs(g) > mpf(10) ** -60 else mp.log(2), (-0.5, 0), -13.7, 15, "(2^x - 1) / x, x <= 0"),
+        ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
+        ("COS", sinc, (0, grown(pi**2 / 4)), -15, None, "the same, finer: cosines are raised to powers"),
+        ("HALF_TURN", of_square(lambda x: sin(pi * x) / x), (0, 0.25), -12.9, None, "sin(pi x) / x in x^2, x <= 1/2"),
+        ("EIGHTH_SIN", of_square(lambda x: sin(2 * pi * x) / x), (0, mpf(1) / 64), -13.5, None,
+         "sin(2 pi x) / x in x^2, |x| <= 1/8"),
+        ("EIGHTH_COS", of_square(lambda x: cos(2 * pi * x)), (0, mpf(1) / 64), -13.5, None,
+         "cos(2 pi x) in x^2, |x| <= 1/8"),
+        ("ATAN", of_square(lambda x: atan(x) / x), (0, 1), -13.1, None, "atan x / x in x^2, |x| <= 1"),
+        ("LN", of_square(lambda z: 2 * atanh(z) / z), (0, grown(3 - 2 * sqrt(2)) ** 2), -21, None,
+         "2 atanh z / z in z^2, |z| <= 3 - 2 sqrt 2"),
+        ("TAIL_OF_ANGLE", of_square(lambda x: (2 * x - sin(2 * x)) / (2 * pi * x**3)), (0, grown(pi**2 / 4)), -13.1, None,
+         "p / eta^3 in eta^2, eta <= pi / 2"),
+        ("TAIL_OF_SINE", of_sine, (0, 1), -13.1, None, "p / cos^3 in sin"),
+    ]
+
+
+def fit(proxy, interval, wanted, k):
+    """Sollya's polynomial of least degree with a relative error below 2^wanted."""
+    lo, hi = (mp.nstr(mpf(v), 40) for v in interval)
+    formula = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(proxy))
+    form = "[|SG...|], [lo; hi], floating, relative" if k is None else "kinds(n), [lo; hi], fixed, relative"
+    script = f"""
+display = dyadic!; prec = 300!;
+f = horner({formula}); lo = {lo}; hi = {hi}; found = 0;
+procedure kinds(n) {{ var l, i; l = [|{(k or 0) + 16}|]; for i from 1 to n do {{ l = l :. {k or 0}; }}; return l; }};
+for n from 1 to 9 do {{
+  if (found == 0) then {{
+    p = fpminimax(f, n, {form});
+    if (dirtyinfnorm(p / f - 1, [lo; hi]) < 2^({wanted})) then {{
+      found = 1;
+      for i from 0 to n do {{ print("C", coeff(p, i)); }};
+      print("E", sup(supnorm(p, f, [lo; hi], relative, 2^(-10))));
+    }};
+  }};
+}};
+"""
+    out = subprocess.run(["sollya"], input=script, capture_output=True, text=True).stdout
+    coefficients, error = [], None
+    for line in out.splitlines():
+        if line[:2] in ("C ", "E "):
+            m, _, e = line[2:].strip().partition("b")
+            value = mpf(int(m)) * mpf(2) ** int(e or 0)
+            if line[0] == "C":
+                coefficients.append(value)
+            else:
+                error = mp.log(value, 2)
+    if not coefficients or error is None:
+        sys.exit("sollya found no polynomial:\n" + out[:2000])
+    return coefficients, error
+
+
+def check_range(name, c, interval, k):
+    """Every product of Horner's rule fits a signed 32-bit word, the last sum an unsigned one."""
+    for i in range(257):
+        x = interval[0] + (interval[1] - interval[0]) * mpf(i) / 256
+        total = c[-1]
+        for a in reversed(c[:-1]):
+            assert abs(total * x) * 2 ** (k + 16) < 2**31, name
+            total = total * x + a
+        assert 0 < total < 2 ** (16 - k), name
+
+
+def write(series_free, newton, text):
+    lines = [
+        "//! Coefficients of the fast kernels, written by `python3 tools/coefficients.py`: do not edit.",
+        "//!",
+        "//! `FixedPoint`: constant term in Q(k + 16), the others in Qk, argument in Q16. Each error is relative,",
+        "//! certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
+        "#![allow(clippy::approx_constant, clippy::excessive_precision)] // the constants are the point",
+        "",
+        "use super::fixed::FixedPoint;",
+        "",
+        "/// Half of cbrt 1/2, in Q16.",
+        f"pub(crate) const KEPLER_MIDDLE: i32 = {KEPLER_MIDDLE};",
+    ]
+    for name, f, interval, wanted, k, doc in specs(newton):
+        c, error = fit(series_free(f, *interval, n=28), interval, wanted, k)
+        print(f"fast: {name}: degree {len(c) - 1}, relative error 2^{mp.nstr(error, 4)}", flush=True)
+        lines += ["", f"/// {doc}; relative error 2^{mp.nstr(error, 4)}" + ("" if k is None else f"; k = {k}")]
+        if k is None:
+            values = ", ".join(text(v, 24) for v in c)
+            lines += [f"pub(crate) const {name}: [f32; {len(c)}] = [{values}];"]
+        else:
+            check_range(name, c, interval, k)
+            first, rest = int(c[0] * 2 ** (k + 16)), ", ".join(str(int(v * 2**k)) for v in c[1:])
+            lines += [f"pub(crate) const {name}: FixedPoint<{len(c) - 1}> = FixedPoint {{ first: {first}, rest: [{rest}] }};"]
+    path = "src/kernel/fast/table.rs"
+    with open(path, "w") as out:
+        out.write("\n".join(lines) + "\n")
+    subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
