@@ -8,11 +8,10 @@
 #[path = "../tests/accuracy/mod.rs"]
 mod accuracy;
 
-use accuracy::format::{Format, Subject};
-use accuracy::inputs::{exponents, sample};
-use accuracy::measure::{OPERATIONS, Tally, at_angle, at_tail, sweep};
 use accuracy::monotone;
 use accuracy::reference::Id;
+use accuracy::rows::{Row, measure_all, to_json, total_inputs};
+use accuracy::subject::Tiers;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
@@ -31,64 +30,32 @@ struct Arguments {
     /// File to write.
     #[arg(long, default_value = "docs/accuracy.md")]
     out: PathBuf,
+    /// File to write the rows to, as JSON.
+    #[arg(long)]
+    json: Option<PathBuf>,
 }
 
-fn bar(name: &'static str, total: u64) -> ProgressBar {
-    let style =
-        ProgressStyle::with_template("{msg:24} {bar:40} {percent}% {eta}").expect("a template");
-    ProgressBar::new(total).with_style(style).with_message(name)
-}
-
-/// f32: every `stride`-th argument.
-fn swept(ids: &[Id], stride: u64) -> (Vec<Subject<f32>>, Tally) {
-    let subjects = Subject::all(ids);
-    let progress = bar("f32", (f32::TOP_ANGLE + f32::HALF_BITS) / stride);
-    let step = |n| progress.inc(n);
-    let angles = sweep(&subjects, f32::TOP_ANGLE, stride, at_angle, step);
-    let tally = angles.merge(sweep(&subjects, f32::HALF_BITS, stride, at_tail, step));
-    progress.finish_and_clear();
-    (subjects, tally)
-}
-
-/// n stratified arguments.
-fn sampled<T: Format>(ids: &[Id], n: u64) -> (Vec<Subject<T>>, Tally) {
-    let subjects = Subject::all(ids);
-    let progress = bar(T::NAME, 2 * n);
-    let step = |n| progress.inc(n);
-    let angles = sample(&subjects, T::TOP_ANGLE, n, at_angle, step);
-    let tally = angles.merge(sample(&subjects, T::HALF_BITS, n, at_tail, step));
-    progress.finish_and_clear();
-    (subjects, tally)
-}
-
-fn table<T: Format>(
-    out: &mut String,
-    (subjects, tally): &(Vec<Subject<T>>, Tally),
-    exhaustive: bool,
-) {
+fn table(out: &mut String, rows: &[&Row]) {
     *out += "\n| law | operation | max ulp | inputs | worst input | correctly rounded |\n";
     *out += "|---|---|---|---|---|---|\n";
-    for (s, row) in subjects.iter().zip(&tally.0) {
-        let name = match s.id {
-            Id::CosPower(k) => format!("CosPower({k:e})"),
-            id => id.name().to_owned(),
+    for row in rows {
+        let kind = if row.exhaustive {
+            "exhaustive"
+        } else {
+            "observed"
         };
-        for ((_, operation), worst) in OPERATIONS.iter().zip(row) {
-            if worst.tried == 0 {
-                continue;
-            }
-            let kind = if exhaustive { "exhaustive" } else { "observed" };
-            let share = 100.0 * worst.correct as f64 / worst.tried as f64;
-            writeln!(
-                out,
-                "| {name} | {operation} | {:.3} | {kind} ({}) | {:#x} = {:e} | {share:.2} % |",
-                worst.ulps,
-                worst.tried,
-                worst.input,
-                T::of_bits(worst.input).wide()
-            )
-            .expect("writing to a string");
-        }
+        writeln!(
+            out,
+            "| {} | {} | {:.3} | {kind} ({}) | {} = {:e} | {:.2} % |",
+            row.law,
+            row.operation,
+            row.max_ulp,
+            row.inputs,
+            row.worst_input_hex,
+            row.worst_input,
+            row.correctly_rounded_percent
+        )
+        .expect("writing to a string");
     }
 }
 
@@ -104,8 +71,8 @@ fn monotone_table(out: &mut String, stride: u64, samples: u64) {
     )
     .expect("a string");
     for id in Id::FIXED {
-        let single = monotone::strided(&Subject::<f32>::new(id), stride).0;
-        let double = monotone::sampled(&Subject::<f64>::new(id), samples).0;
+        let single = monotone::strided(&f32::tiers(id)[0], stride).0;
+        let double = monotone::sampled(&f64::tiers(id)[0], samples).0;
         writeln!(out, "| {} | {single} | {double} |", id.name()).expect("a string");
     }
 }
@@ -119,29 +86,28 @@ fn main() -> ExitCode {
          of them checked against Arb's tables in `tests/reference/`. For operations on pairs the input\n\
          is the angle whose rounded (cos θ, sin θ) was the pair; planar laws are tried at ±θ; for\n\
          operations on probabilities it is the nearer tail p, which covers the whole domain since\n\
-         1 − u is exact for u ≥ ½. [Allowed errors](bounds.md) are what the tests enforce.\n\n## f32\n",
+         1 − u is exact for u ≥ ½. [Allowed errors](bounds.md) are what the tests enforce.\n",
     );
-    table(
-        &mut out,
-        &swept(&Id::FIXED, arguments.stride),
-        arguments.stride == 1,
-    );
-    table(
-        &mut out,
-        &sampled::<f32>(&exponents::<f32>(), arguments.samples / 10),
-        false,
-    );
-    out += "\n## f64\n";
-    table(
-        &mut out,
-        &sampled::<f64>(&Id::FIXED, arguments.samples),
-        false,
-    );
-    table(
-        &mut out,
-        &sampled::<f64>(&exponents::<f64>(), arguments.samples / 10),
-        false,
-    );
+    let total = total_inputs(arguments.stride, arguments.samples);
+    let style =
+        ProgressStyle::with_template("{msg} {bar:40} {percent}% {eta}").expect("a template");
+    let progress = ProgressBar::new(total)
+        .with_style(style)
+        .with_message("inputs");
+    let rows = measure_all(arguments.stride, arguments.samples, |n| progress.inc(n));
+    progress.finish_and_clear();
+    let mut types: Vec<&str> = rows.iter().map(|row| row.tier.as_str()).collect();
+    types.sort();
+    types.dedup();
+    for tier in types {
+        writeln!(out, "\n## {tier}").expect("a string");
+        let (named, powers): (Vec<_>, Vec<_>) = rows
+            .iter()
+            .filter(|row| row.tier == tier)
+            .partition(|row| !row.law.starts_with("CosPower"));
+        table(&mut out, &named);
+        table(&mut out, &powers);
+    }
     out += "\n## Monotone quantiles\n\nPairs of neighbours p where `quantile` or `isf` steps back or, for a planar law, fails to mirror.\n";
     monotone_table(&mut out, arguments.stride, arguments.samples);
     // Beside the target first, so that a failure leaves no half-written table.
@@ -155,6 +121,16 @@ fn main() -> ExitCode {
         );
         let _ = std::fs::remove_file(&partial);
         return ExitCode::FAILURE;
+    }
+    if let Some(path) = arguments.json {
+        let text = to_json(&rows).expect("rows have no keys but names");
+        if let Err(error) = std::fs::write(&path, text) {
+            eprintln!(
+                "cannot write {}: {error}; expected a writable file",
+                path.display()
+            );
+            return ExitCode::FAILURE;
+        }
     }
     ExitCode::SUCCESS
 }

@@ -4,9 +4,10 @@ mod accuracy;
 
 use accuracy::bounds::allowed;
 use accuracy::double::Double;
-use accuracy::format::{Format, Subject, error_in_ulps};
-use accuracy::inverse::warp;
+use accuracy::format::{Format, error_in_ulps};
+use accuracy::inverse::{angle, warp};
 use accuracy::reference::{self, Direction, Id};
+use accuracy::subject::{Subject, Tier};
 use accuracy::wide::Wide;
 
 /// One row of the committed tables.
@@ -46,39 +47,20 @@ fn arb() -> Vec<Row> {
     all
 }
 
-/// What the crate says for a row of the tables.
-fn call<T: Format>(s: &Subject<T>, operation: &str, x: T) -> T {
-    let law = &s.law;
-    match operation {
-        "pdf" => law.pdf(x),
-        "ln_pdf" => law.ln_pdf(x),
-        "pdf_solid_angle" => s.solid.as_ref().expect("a spatial law")(x),
-        "cdf" => law.cdf(x),
-        "sf" => law.sf(x),
-        "warp: cos" => law.warp(x).cos,
-        "warp: sin" => law.warp(x).sin,
-        "warp_sf: cos" => law.warp_sf(x).cos,
-        "warp_sf: sin" => law.warp_sf(x).sin,
-        "quantile" => law.quantile(x),
-        "isf" => law.isf(x),
-        other => panic!("unknown operation {other}"),
-    }
-}
-
-fn against_arb<T: Format>(want: impl Fn(&Row) -> T::Wide) {
+fn against_arb<T: Format + Tier<Raw = T>>(want: impl Fn(&Row) -> T::Wide) {
     let mut checked = 0;
     for row in arb() {
         let x = T::round(row.argument);
         if x.wide() != row.argument {
             continue; // the argument is not a number of this format
         }
-        let subject = Subject::<T>::new(row.law);
-        let error = error_in_ulps(call(&subject, row.operation, x), want(&row));
-        let limit = allowed(T::NAME, row.law, row.operation).expect("a bound");
+        let subject = Subject::<T>::of::<T>(row.law);
+        let error = error_in_ulps(subject.call(row.operation, x), want(&row));
+        let limit = allowed(subject.tier, row.law.name(), row.operation).expect("a bound");
         assert!(
             error <= limit,
             "{} {:?} {} at {:e}: {error} ulp, {limit} allowed",
-            T::NAME,
+            subject.tier,
             row.law,
             row.operation,
             row.argument
@@ -122,8 +104,8 @@ fn reference_agrees<W: Wide>(judged: impl Fn(f64) -> bool) {
             "warp: cos" | "warp_sf: cos" => side().0,
             "warp: sin" | "warp_sf: sin" => side().1,
             _ => {
-                let (cos, sin) = side();
-                W::angle(cos, sin)
+                // As the tables have it: from the tail of the lower side at −θ for a planar law.
+                angle(law, x, side())
             }
         };
         let (near, want) = (got.near(), row.value.hi);

@@ -1,19 +1,23 @@
 //! The two formats under test, and errors in units of their last place.
 
 use super::double::Double;
-use super::reference::Id;
+use super::long::Long;
 use super::wide::Wide;
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Real, Spatial, SphereShell,
-};
+use coslobe::Real;
 
 pub trait Format: Real {
     type Wide: Wide;
+    /// What decides where `Wide` cannot: its digits are more, or its range is.
+    type Fine: Wide;
     const NAME: &'static str;
     /// Significand bits, and the exponent of the least normal number.
     const DIGITS: i32;
     const LEAST: i32;
     const MAX_VALUE: f64;
+    /// Results below this are judged by `Fine` alone: `Wide` runs out of exponents there.
+    const FLOOR: f64;
+    /// Decades of the input that share a bin of the stability picture.
+    const BIN: f64;
     /// Bits of the largest angle within the support, and of ½.
     const TOP_ANGLE: u64;
     const HALF_BITS: u64;
@@ -21,14 +25,21 @@ pub trait Format: Real {
     fn bits(self) -> u64;
     fn wide(self) -> f64;
     fn round(x: f64) -> Self;
+    /// The nearest numbers to both ends of want ± margin, for `want` away from the least numbers.
+    fn bracket(want: Self::Wide, margin: f64) -> (Self, Self);
+    /// `got` as `want` is lifted, see `truth`.
+    fn lifted(self, lift: f64) -> f64;
 }
 
 impl Format for f32 {
     type Wide = f64;
+    type Fine = Double;
     const NAME: &'static str = "f32";
     const DIGITS: i32 = 24;
     const LEAST: i32 = -126;
     const MAX_VALUE: f64 = f32::MAX as f64;
+    const FLOOR: f64 = 0.0;
+    const BIN: f64 = 1.0;
     const TOP_ANGLE: u64 = 0x3FC9_0FDA;
     const HALF_BITS: u64 = 0x3F00_0000;
     fn of_bits(bits: u64) -> f32 {
@@ -43,14 +54,23 @@ impl Format for f32 {
     fn round(x: f64) -> f32 {
         x as f32
     }
+    fn bracket(want: f64, margin: f64) -> (f32, f32) {
+        ((want - margin) as f32, (want + margin) as f32)
+    }
+    fn lifted(self, _: f64) -> f64 {
+        f64::from(self) // nothing of this format is ever lifted
+    }
 }
 
 impl Format for f64 {
     type Wide = Double;
+    type Fine = Long;
     const NAME: &'static str = "f64";
     const DIGITS: i32 = 53;
     const LEAST: i32 = -1022;
     const MAX_VALUE: f64 = f64::MAX;
+    const FLOOR: f64 = 1e-270;
+    const BIN: f64 = 7.0;
     const TOP_ANGLE: u64 = 0x3FF9_21FB_5444_2D18;
     const HALF_BITS: u64 = 0x3FE0_0000_0000_0000;
     fn of_bits(bits: u64) -> f64 {
@@ -64,6 +84,13 @@ impl Format for f64 {
     }
     fn round(x: f64) -> f64 {
         x
+    }
+    fn bracket(want: Double, margin: f64) -> (f64, f64) {
+        let end = |m: f64| Double::sum(want.hi, want.lo + m).hi;
+        (end(-margin), end(margin))
+    }
+    fn lifted(self, lift: f64) -> f64 {
+        self * lift
     }
 }
 
@@ -94,47 +121,31 @@ pub fn error_in_ulps<T: Format>(got: T, want: T::Wide) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// A law with its name.
-pub struct Subject<T> {
-    pub id: Id,
-    pub law: Box<dyn Law<T> + Send + Sync>,
-    pub solid: Option<Box<dyn Fn(T) -> T + Send + Sync>>,
+/// The number of the format nearest to x·2⁻ⁿ, ties to even; 2ⁿ lifts subnormal values off the floor.
+pub fn nearest<T: Format>(x: Double, n: i32) -> T {
+    let unit = ulp::<T>(x.hi * 2f64.powi(-n)) * 2f64.powi(n);
+    let last = x.hi / unit;
+    // x.hi has more bits than the format, or is the answer up to a tie that x.lo decides.
+    let (below, part) = (last.floor(), last - last.floor());
+    let up = if part == 0.5 && x.lo != 0.0 {
+        x.lo > 0.0
+    } else if part == 0.5 {
+        below % 2.0 != 0.0
+    } else if part == 0.0 && x.lo.abs() == unit / 2.0 {
+        // Half a unit from an integer: up from odd, down from odd.
+        let odd = below % 2.0 != 0.0;
+        return T::round(place(
+            if odd { below + x.lo.signum() } else { below },
+            unit,
+            n,
+        ));
+    } else {
+        part > 0.5
+    };
+    T::round(place(below + f64::from(u8::from(up)), unit, n))
 }
 
-impl<T: Format> Subject<T> {
-    fn planar(id: Id, law: impl Law<T> + Send + Sync + 'static) -> Self {
-        Subject {
-            id,
-            law: Box::new(law),
-            solid: None,
-        }
-    }
-
-    fn spatial(id: Id, law: impl Spatial<T> + Copy + Send + Sync + 'static) -> Self {
-        Subject {
-            id,
-            law: Box::new(law),
-            solid: Some(Box::new(move |theta| law.pdf_solid_angle(theta))),
-        }
-    }
-
-    pub fn new(id: Id) -> Self {
-        match id {
-            Id::Disk => Self::planar(id, Disk),
-            Id::CircleShell => Self::planar(id, CircleShell),
-            Id::CircleArc => Self::planar(id, CircleArc),
-            Id::Ball => Self::spatial(id, Ball),
-            Id::SphereShell => Self::spatial(id, SphereShell),
-            Id::Lambert => Self::spatial(id, Lambert),
-            Id::CosPower(k) => {
-                let law = CosPower::new(T::round(k)).expect("a valid exponent");
-                // The exponent that the format holds is the one to judge by.
-                Self::spatial(Id::CosPower(law.exponent().wide()), law)
-            }
-        }
-    }
-
-    pub fn all(ids: &[Id]) -> Vec<Self> {
-        ids.iter().map(|&id| Self::new(id)).collect()
-    }
+/// count·unit·2⁻ⁿ, exactly: a number of the format, or beyond its largest.
+fn place(count: f64, unit: f64, n: i32) -> f64 {
+    count * (unit * 2f64.powi(-n))
 }

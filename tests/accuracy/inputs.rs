@@ -1,9 +1,7 @@
 //! Stratified arguments: by decade, linearly, and crowding towards the top of the range.
 
-use super::format::{Format, Subject};
-use super::measure::Tally;
+use super::format::Format;
 use super::reference::Id;
-use rayon::prelude::*;
 
 /// Exponents that `CosPower` is judged at: those that the format holds.
 pub fn exponents<T: Format>() -> Vec<Id> {
@@ -34,27 +32,4 @@ pub fn stratified<T: Format>(top: u64, i: u64, n: u64) -> T {
         _ => return T::of_bits(top - 2f64.powf(position * 0.75 * f64::from(T::DIGITS)) as u64),
     };
     if x.bits() > top { T::of_bits(top) } else { x }
-}
-
-/// Visits n stratified arguments up to `top` in parallel.
-pub fn sample<T: Format>(
-    subjects: &[Subject<T>],
-    top: u64,
-    n: u64,
-    visit: impl Fn(&[Subject<T>], T, &mut Tally) + Sync,
-    progress: impl Fn(u64) + Sync,
-) -> Tally {
-    let n = n - n % 3;
-    let block = 3000;
-    (0..n.div_ceil(block))
-        .into_par_iter()
-        .map(|b| {
-            let mut tally = Tally::new(subjects.len());
-            for i in b * block..((b + 1) * block).min(n) {
-                visit(subjects, stratified(top, i, n), &mut tally);
-            }
-            progress(block);
-            tally
-        })
-        .reduce(|| Tally::new(subjects.len()), Tally::merge)
 }

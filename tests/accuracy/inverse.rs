@@ -1,6 +1,6 @@
 //! The laws' true directions at a tail: closed forms, and Newton's method for the disk.
 
-use super::reference::{Id, kepler_tail};
+use super::reference::Id;
 use super::wide::Wide;
 
 /// The direction at nearer tail p ≤ ½ of a planar law (θ ≥ 0), or at the tails of a spatial one
@@ -55,28 +55,32 @@ pub fn warp<W: Wide>(law: Id, p: f64, upper: bool) -> (W, W) {
     }
 }
 
+/// θ of the direction at which [`warp`] finds `at`; where the law names it, not through the pair.
+pub fn angle<W: Wide>(law: Id, p: f64, at: (W, W)) -> W {
+    match law {
+        Id::CircleArc => (W::of(0.5) - W::of(p)) * W::pi(),
+        Id::Disk if p == 0.0 => W::pi() * W::of(0.5),
+        Id::Disk if p < 0.15 => W::pi() * W::of(0.5) - W::kepler(p),
+        _ => W::angle(at.0, at.1),
+    }
+}
+
 /// (cos θ, sin θ) of the disk's law at nearer tail p, by Newton's method from the end or the axis.
 fn kepler<W: Wide>(p: f64) -> (W, W) {
     if p < 0.15 {
-        let s = (W::pi() * W::of(12.0)).cube_root() * W::of(p).cube_root();
-        let t = s.near() * s.near();
-        let start = 0.5 + t * (1.0 / 120.0 + t * (1.0 / 2800.0 + t / 50400.0));
-        let mut eta = s * W::of(start);
-        // Below 1e-100 the start is exact, and residuals would underflow.
-        for _ in 0..if p > 1e-100 { 4 } else { 0 } {
-            let f = kepler_tail(eta);
-            let sin = eta.sin_cos().0;
-            eta = eta - (f - W::of(p)) / (sin * sin * W::of(2.0) / W::pi());
-        }
-        eta.sin_cos()
-    } else {
-        let target = (W::of(0.5) - W::of(p)) * W::pi();
-        let mut theta = target * W::of(0.5);
-        for _ in 0..7 {
-            let (s, c) = theta.sin_cos();
-            theta = theta - (theta + s * c - target) / (c * c * W::of(2.0));
-        }
-        let (s, c) = theta.sin_cos();
-        (c, s)
+        return W::kepler(p).sin_cos();
     }
+    let target = (W::of(0.5) - W::of(p)) * W::pi();
+    let goal = target.near();
+    // Converged in f64, then one step more in W.
+    let mut guess = goal * (0.5 + goal * goal / 24.0);
+    for _ in 0..4 {
+        let (s, c) = guess.sin_cos();
+        guess -= (guess + s * c - goal) / (c * c * 2.0);
+    }
+    let guess = W::of(guess);
+    let (s, c) = guess.sin_cos();
+    let theta = guess - (guess + s * c - target) / (c * c * W::of(2.0));
+    let (s, c) = theta.sin_cos();
+    (c, s)
 }

@@ -1,232 +1,177 @@
-//! Sweeps every operation over inputs and keeps the worst error of each.
+//! Sweeps every operation of every subject over inputs.
 
-use super::format::{Format, Subject, error_in_ulps, ulp};
-use super::inverse::warp;
-use super::reference::{
-    Direction, Id, density, density_at_cos, lambert_weight, ln_pdf, pdf, tails,
-};
-use super::wide::Wide;
-use coslobe::CosSin;
+use super::format::Format;
+use super::inputs::stratified;
+use super::subject::{AT_ANGLE, Subject};
+use super::tally::{Place, Tally};
+use super::truth::{Angle, BLOCK, Slot, Truth, Truths, angle_slots, tail_slots};
+use super::wide::HALF_PI;
 use rayon::prelude::*;
 
-/// Operations in the order of the tables.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Op {
-    Pdf,
-    LnPdf,
-    PdfSolidAngle,
-    Cdf,
-    Sf,
-    Density,
-    LambertWeight,
-    Unwarp,
-    UnwarpSf,
-    WarpCos,
-    WarpSin,
-    WarpSfCos,
-    WarpSfSin,
-    Quantile,
-    Isf,
+/// What is put in: an angle in [0, π/2], or its pair, or a probability in [0, ½] from either end,
+/// which is the whole domain since 1 − u is exact for u ≥ ½.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Input {
+    Angle,
+    Tail,
 }
 
-pub const OPERATIONS: [(Op, &str); 15] = [
-    (Op::Pdf, "pdf"),
-    (Op::LnPdf, "ln_pdf"),
-    (Op::PdfSolidAngle, "pdf_solid_angle"),
-    (Op::Cdf, "cdf"),
-    (Op::Sf, "sf"),
-    (Op::Density, "density"),
-    (Op::LambertWeight, "lambert_weight"),
-    (Op::Unwarp, "unwarp"),
-    (Op::UnwarpSf, "unwarp_sf"),
-    (Op::WarpCos, "warp: cos"),
-    (Op::WarpSin, "warp: sin"),
-    (Op::WarpSfCos, "warp_sf: cos"),
-    (Op::WarpSfSin, "warp_sf: sin"),
-    (Op::Quantile, "quantile"),
-    (Op::Isf, "isf"),
-];
-
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Worst {
-    pub ulps: f64,
-    /// Bits of the argument (of the angle that a pair was rounded from).
-    pub input: u64,
-    pub tried: u64,
-    pub correct: u64,
-}
-
-impl Worst {
-    fn note(&mut self, ulps: f64, input: u64) {
-        self.tried += 1;
-        self.correct += u64::from(ulps <= 0.5);
-        if ulps > self.ulps {
-            (self.ulps, self.input) = (ulps, input);
+impl Input {
+    pub fn top<F: Format>(self) -> u64 {
+        match self {
+            Input::Angle => F::TOP_ANGLE,
+            Input::Tail => F::HALF_BITS,
         }
     }
 
-    fn merge(&mut self, other: &Self) {
-        let (tried, correct) = (self.tried + other.tried, self.correct + other.correct);
-        if other.ulps > self.ulps {
-            *self = *other;
+    fn place<F: Format>(self, x: F) -> Place {
+        let x = x.wide();
+        Place::new::<F>(match self {
+            Input::Angle => x.min(HALF_PI[0] - x + HALF_PI[1]),
+            Input::Tail => x,
+        })
+    }
+}
+
+/// Working memory of one thread.
+struct Bench<F: Format> {
+    truths: Truths<F>,
+    got: Vec<Vec<F>>,
+    places: Vec<Place>,
+}
+
+impl<F: Format> Bench<F> {
+    fn new() -> Self {
+        Bench {
+            truths: Truths::new(),
+            got: vec![vec![F::default(); BLOCK]; AT_ANGLE.len()],
+            places: Vec::new(),
         }
-        (self.tried, self.correct) = (tried, correct);
-    }
-}
-
-/// Worst errors by law and operation.
-#[derive(Clone, Debug)]
-pub struct Tally(pub Vec<[Worst; OPERATIONS.len()]>);
-
-impl Tally {
-    pub fn new(laws: usize) -> Self {
-        Tally(vec![Default::default(); laws])
     }
 
-    pub fn merge(mut self, other: Self) -> Self {
-        for (mine, theirs) in self.0.iter_mut().zip(&other.0) {
-            for (a, b) in mine.iter_mut().zip(theirs) {
-                a.merge(b);
-            }
-        }
-        self
-    }
-}
-
-struct Note<'a, T> {
-    row: &'a mut [Worst; OPERATIONS.len()],
-    input: T,
-}
-
-impl<T: Format> Note<'_, T> {
-    fn check(&mut self, operation: Op, got: T, want: T::Wide) {
-        self.scaled(operation, got, want, 1.0);
-    }
-
-    fn scaled(&mut self, operation: Op, got: T, want: T::Wide, share: f64) {
-        let ulps = error_in_ulps(got, want) * share;
-        self.row[operation as usize].note(ulps, self.input.bits());
-    }
-}
-
-/// All operations that take an angle, or the pair of one, at θ in [0, π/2].
-pub fn at_angle<T: Format>(subjects: &[Subject<T>], theta: T, tally: &mut Tally) {
-    let at = Direction::<T::Wide>::at_angle(theta.wide());
-    let pair = CosSin {
-        cos: T::round(at.cos.near()),
-        sin: T::round(at.sin.near()),
-    };
-    let paired = Direction::<T::Wide>::at_pair(pair.cos.wide(), pair.sin.wide());
-    for (s, row) in subjects.iter().zip(&mut tally.0) {
-        let mut note = Note { row, input: theta };
-        let (id, law) = (s.id, &s.law);
-        note.check(Op::Pdf, law.pdf(theta), pdf(id, &at));
-        let (got, want) = (law.ln_pdf(theta), ln_pdf(id, &at));
-        // A logarithm that crosses zero is judged in ulps of 1 around there.
-        let crosses = matches!(id, Id::CosPower(_)) && want.near().abs() < 1.0;
-        let share = if crosses {
-            ulp::<T>(want.near()) / ulp::<T>(1.0)
+    /// All operations of all subjects at up to `BLOCK` inputs. Neighbours of the same law share its
+    /// reference. Ascending inputs between whose places no other lies are judged faster.
+    fn block(&mut self, subjects: &[Subject<F>], input: Input, x: &[F], tally: &mut Tally) {
+        self.places.clear();
+        let (first, last) = (input.place(x[0]), input.place(x[x.len() - 1]));
+        let together = first == last && x.windows(2).all(|w| w[0] < w[1]);
+        if together {
+            self.places.push(first);
         } else {
-            1.0
-        };
-        note.scaled(Op::LnPdf, got, want, share);
-        if let Some(solid) = &s.solid {
-            note.check(Op::PdfSolidAngle, solid(theta), density(id, &at));
+            self.places.extend(x.iter().map(|&x| input.place(x)));
         }
-        let reads_both = matches!(id, Id::CosPower(_));
-        let want = if reads_both {
-            density(id, &paired)
-        } else {
-            density_at_cos(id, pair.cos.wide())
+        let angles: Vec<_> = match input {
+            Input::Angle => x.iter().map(|&x| Angle::new(x)).collect(),
+            Input::Tail => Vec::new(),
         };
-        note.check(Op::Density, law.density(pair), want);
-        if pair.cos.wide() > 0.0 {
-            let mut from_cos = paired;
-            if !reads_both {
-                from_cos.cos = T::Wide::of(pair.cos.wide());
-            }
-            note.check(
-                Op::LambertWeight,
-                law.lambert_weight(pair),
-                lambert_weight(id, &from_cos),
-            );
-        }
-        let (lower, upper) = tails(id, &at);
-        let (pair_lower, pair_upper) = tails(id, &paired);
-        if id.planar() {
-            let mirrored = CosSin {
-                cos: pair.cos,
-                sin: -pair.sin,
+        let pairs: Vec<_> = angles.iter().map(|a| a.pair).collect();
+        let mut law = None;
+        for (s, row) in subjects.iter().zip(&mut tally.0) {
+            let anew = law.replace(s.id) != Some(s.id);
+            let mut judge = |i: usize, slot: Slot, got: &mut [F], want: &Truth<F>| {
+                let got = &mut got[..x.len()];
+                if slot.negated {
+                    got.iter_mut().for_each(|y| *y = -*y);
+                }
+                debug_assert!(i < AT_ANGLE.len());
+                let stat = &mut row[slot.op as usize];
+                if together {
+                    stat.judge(x, got, want, first);
+                } else {
+                    stat.judge_scattered(x, got, want, &self.places);
+                }
             };
-            note.check(Op::Cdf, law.cdf(-theta), lower);
-            note.check(Op::Sf, law.sf(-theta), upper);
-            note.check(Op::Cdf, law.cdf(theta), upper);
-            note.check(Op::Sf, law.sf(theta), lower);
-            note.check(Op::Unwarp, law.unwarp(mirrored), pair_lower);
-            note.check(Op::UnwarpSf, law.unwarp_sf(mirrored), pair_upper);
-            note.check(Op::Unwarp, law.unwarp(pair), pair_upper);
-            note.check(Op::UnwarpSf, law.unwarp_sf(pair), pair_lower);
-        } else {
-            note.check(Op::Cdf, law.cdf(theta), lower);
-            note.check(Op::Sf, law.sf(theta), upper);
-            note.check(Op::Unwarp, law.unwarp(pair), pair_lower);
-            note.check(Op::UnwarpSf, law.unwarp_sf(pair), pair_upper);
+            match input {
+                Input::Angle => {
+                    if anew {
+                        self.truths.angles(s.id, &angles);
+                    }
+                    s.law.angles(x, &pairs, &mut self.got);
+                    for (i, slot) in angle_slots(s.id, s.solid) {
+                        let want = self.truths.of(&slot);
+                        judge(i, slot, &mut self.got[i], want);
+                    }
+                }
+                Input::Tail => {
+                    if anew {
+                        self.truths.tails(s.id, x);
+                    }
+                    s.law.tails(x, &mut self.got);
+                    for (i, slot) in tail_slots(s.id) {
+                        let want = self.truths.of(&slot);
+                        judge(i, slot, &mut self.got[i], want);
+                    }
+                }
+            }
         }
     }
 }
 
-/// All operations that take a probability: p in [0, ½] from either end, which is the whole domain,
-/// since 1 − u is exact for u ≥ ½.
-pub fn at_tail<T: Format>(subjects: &[Subject<T>], p: T, tally: &mut Tally) {
-    for (s, row) in subjects.iter().zip(&mut tally.0) {
-        let mut note = Note { row, input: p };
-        let (id, law) = (s.id, &s.law);
-        let reference = |upper: bool| {
-            let (cos, sin) = warp::<T::Wide>(id, p.wide(), upper);
-            (cos, sin, T::Wide::angle(cos, sin))
-        };
-        let (cos, sin, theta) = reference(false);
-        let minus = |x: T::Wide| if id.planar() { -x } else { x };
-        let at = law.warp(p);
-        note.check(Op::WarpCos, at.cos, cos);
-        note.check(Op::WarpSin, at.sin, minus(sin));
-        note.check(Op::Quantile, law.quantile(p), minus(theta));
-        // A planar law is its own mirror image: one reference serves both sides.
-        let (cos, sin, theta) = if id.planar() {
-            (cos, sin, theta)
-        } else {
-            reference(true)
-        };
-        let at = law.warp_sf(p);
-        note.check(Op::WarpSfCos, at.cos, cos);
-        note.check(Op::WarpSfSin, at.sin, sin);
-        note.check(Op::Isf, law.isf(p), theta);
+/// Judges all subjects at given inputs.
+pub fn judge<F: Format>(subjects: &[Subject<F>], input: Input, x: &[F]) -> Tally {
+    let (mut bench, mut tally) = (Bench::new(), Tally::new(subjects.len()));
+    for block in x.chunks(BLOCK) {
+        bench.block(subjects, input, block, &mut tally);
     }
+    tally
 }
 
-/// Every `stride`-th bit pattern from 0 to `top` (both ends included), in parallel.
-pub fn sweep<T: Format>(
-    subjects: &[Subject<T>],
-    top: u64,
-    stride: u64,
-    visit: impl Fn(&[Subject<T>], T, &mut Tally) + Sync,
+/// Judges the inputs `at(0)`, …, `at(count − 1)` in parallel.
+fn over<F: Format>(
+    subjects: &[Subject<F>],
+    input: Input,
+    count: u64,
+    at: impl Fn(u64) -> F + Sync,
     progress: impl Fn(u64) + Sync,
 ) -> Tally {
-    let count = top / stride + 1;
-    let block = (count / 256).clamp(1, 1 << 22);
-    (0..count.div_ceil(block))
+    let block = BLOCK as u64;
+    let task = (count / 512).clamp(1, 1 << 19).next_multiple_of(block);
+    (0..count.div_ceil(task))
         .into_par_iter()
-        .map(|b| {
-            let mut tally = Tally::new(subjects.len());
-            for i in b * block..((b + 1) * block).min(count) {
-                // Aligned to the top, so that the edge itself is always tried.
-                visit(subjects, T::of_bits(top - i * stride), &mut tally);
+        .map(|t| {
+            let (mut bench, mut tally) = (Bench::new(), Tally::new(subjects.len()));
+            let (start, end) = (t * task, ((t + 1) * task).min(count));
+            let mut x = Vec::with_capacity(BLOCK);
+            for b in (start..end).step_by(BLOCK) {
+                x.clear();
+                x.extend((b..(b + block).min(end)).map(&at));
+                bench.block(subjects, input, &x, &mut tally);
             }
-            if b == 0 {
-                visit(subjects, T::of_bits(0), &mut tally);
-            }
-            progress(block);
+            progress(end - start);
             tally
         })
         .reduce(|| Tally::new(subjects.len()), Tally::merge)
+}
+
+/// Every `stride`-th bit pattern up to the top, aligned to it so that the edge itself is tried, and 0.
+pub fn sweep<F: Format>(
+    subjects: &[Subject<F>],
+    input: Input,
+    stride: u64,
+    progress: impl Fn(u64) + Sync,
+) -> Tally {
+    let top = input.top::<F>();
+    let (count, first) = (top / stride + 1, top % stride);
+    let tally = over(
+        subjects,
+        input,
+        count,
+        |i| F::of_bits(first + i * stride),
+        progress,
+    );
+    if first == 0 {
+        return tally;
+    }
+    tally.merge(judge(subjects, input, &[F::of_bits(0)]))
+}
+
+/// Some n stratified inputs.
+pub fn sample<F: Format>(
+    subjects: &[Subject<F>],
+    input: Input,
+    n: u64,
+    progress: impl Fn(u64) + Sync,
+) -> Tally {
+    let (n, top) = (n - n % 3, input.top::<F>());
+    over(subjects, input, n, |i| stratified(top, i, n), progress)
 }

@@ -1,5 +1,5 @@
-//! Accuracy: references, sweeps and the table of allowed errors, shared by the tests and by
-//! `examples/accuracy.rs`, which writes the observed table.
+//! Accuracy: references, sweeps and the table of allowed errors, shared by the tests and by the
+//! examples that write the observed table.
 #![allow(dead_code, unreachable_pub)] // each user needs a part
 
 pub mod bounds;
@@ -7,8 +7,14 @@ pub mod double;
 pub mod format;
 pub mod inputs;
 pub mod inverse;
+pub mod long;
 pub mod measure;
 pub mod monotone;
 pub mod reference;
+pub mod rows;
 pub mod spoiled;
+pub mod subject;
+pub mod tally;
+pub mod truth;
 pub mod wide;
+pub mod wide_double;

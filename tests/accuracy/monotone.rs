@@ -1,7 +1,8 @@
 //! Quantiles never step back, and mirror where the law does.
 
-use super::format::{Format, Subject};
+use super::format::Format;
 use super::inputs::stratified;
+use super::subject::Subject;
 use rayon::prelude::*;
 
 /// Steps back of `quantile` and `isf` between p and its upper neighbour, over the arguments, and

@@ -1,6 +1,6 @@
 //! The laws' true values at a direction, written from the formulas in wider arithmetic.
 
-use super::wide::Wide;
+use super::wide::{Wide, kepler_tail};
 
 /// A law by name; the tests walk this list.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +41,7 @@ impl Id {
         matches!(self, Id::Disk | Id::CircleShell | Id::CircleArc)
     }
 
-    fn exponent(self) -> f64 {
+    pub fn exponent(self) -> f64 {
         match self {
             Id::CircleArc => 0.0,
             Id::CircleShell | Id::Lambert => 1.0,
@@ -53,14 +53,15 @@ impl Id {
 }
 
 /// Everything about a direction that the formulas read, for θ in [0, π/2].
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct Direction<W> {
     pub theta: W,
     /// π/2 − θ.
     pub eta: W,
     pub cos: W,
     pub sin: W,
-    pub ln_cos: W,
+    /// ln cos θ and ln sin θ, where they were asked for beforehand.
+    logs: Option<(W, W)>,
 }
 
 impl<W: Wide> Direction<W> {
@@ -91,165 +92,191 @@ impl<W: Wide> Direction<W> {
         }
     }
 
+    /// What formulas of the cosine alone read, and cos/cosᵏ.
+    pub fn at_cos(cos: f64) -> Self {
+        Direction {
+            cos: W::of(cos),
+            ..Default::default()
+        }
+    }
+
     fn new(theta: W, eta: W, cos: W, sin: W) -> Self {
-        let ln_cos = if cos < sin {
-            cos.ln()
-        } else {
-            (sin * sin).ln_one_minus() * W::of(0.5)
-        };
         Direction {
             theta,
             eta,
             cos,
             sin,
-            ln_cos,
+            logs: None,
+        }
+    }
+
+    /// Computes the logarithms once for all laws.
+    pub fn with_logs(self) -> Self {
+        Direction {
+            logs: Some((self.ln_cos(), self.ln_sin())),
+            ..self
+        }
+    }
+
+    pub fn ln_cos(&self) -> W {
+        match self.logs {
+            Some((ln_cos, _)) => ln_cos,
+            None if self.cos < self.sin => self.cos.ln(),
+            None => (self.sin * self.sin).ln_one_minus() * W::of(0.5),
+        }
+    }
+
+    pub fn ln_sin(&self) -> W {
+        match self.logs {
+            Some((_, ln_sin)) => ln_sin,
+            None if self.sin.near() == 0.0 && self.sin <= W::default() => W::of(f64::NEG_INFINITY),
+            None => self.sin.ln(),
         }
     }
 }
 
-/// Normalisation of the density per radian or steradian.
-fn scale<W: Wide>(law: Id) -> W {
-    let pi = W::pi();
-    match law {
-        Id::Disk => W::of(2.0) / pi,
-        Id::CircleShell => W::of(0.5),
-        Id::CircleArc => W::of(1.0) / pi,
-        _ => (W::of(law.exponent()) + W::of(1.0)) / (pi * W::of(2.0)),
-    }
+/// A law's formulas with its constants.
+#[derive(Clone, Copy)]
+pub struct Formula<W> {
+    pub law: Id,
+    /// Normalisation of the density per radian or steradian, and its logarithm.
+    scale: W,
+    ln_scale: W,
+    /// Lambert's reflected density over cos θ, over `scale`.
+    weight: W,
+    k: W,
+    recip_pi: W,
 }
 
-fn cos_power<W: Wide>(law: Id, at: &Direction<W>) -> W {
-    let c = at.cos;
-    match law {
-        Id::CircleArc => W::of(1.0),
-        Id::CircleShell | Id::Lambert => c,
-        Id::Disk | Id::SphereShell => c * c,
-        Id::Ball => c * c * c,
-        Id::CosPower(0.0) => W::of(1.0),
-        Id::CosPower(k) => (W::of(k) * at.ln_cos).exp(),
-    }
-}
-
-/// Per radian or steradian.
-pub fn density<W: Wide>(law: Id, at: &Direction<W>) -> W {
-    if let Id::CosPower(k) = law {
-        // One exponential, so that a large factor and a small power meet without underflow.
-        let power = if k == 0.0 {
-            W::of(0.0)
-        } else {
-            W::of(k) * at.ln_cos
+impl<W: Wide> Formula<W> {
+    pub fn new(law: Id) -> Self {
+        let (one, two, recip_pi) = (W::of(1.0), W::of(2.0), W::of(1.0) / W::pi());
+        let k = W::of(law.exponent());
+        let scale = match law {
+            Id::Disk => two * recip_pi,
+            Id::CircleShell => W::of(0.5),
+            Id::CircleArc => recip_pi,
+            _ => (k + one) / (W::pi() * two),
         };
-        return (scale::<W>(law).ln() + power).exp();
+        let weight = match law {
+            Id::Disk => W::pi() * W::of(0.25),
+            Id::CircleShell => one,
+            Id::CircleArc => W::pi() * W::of(0.5),
+            _ => two / (k + one),
+        };
+        Formula {
+            law,
+            scale,
+            ln_scale: scale.ln(),
+            weight,
+            k,
+            recip_pi,
+        }
     }
-    scale::<W>(law) * cos_power(law, at)
+
+    /// k ln cos θ.
+    fn ln_power(&self, at: &Direction<W>) -> W {
+        if self.law.exponent() == 0.0 {
+            W::default()
+        } else {
+            self.k * at.ln_cos()
+        }
+    }
+
+    /// Per radian or steradian.
+    pub fn density(&self, at: &Direction<W>) -> W {
+        let c = at.cos;
+        match self.law {
+            Id::CircleArc => self.scale,
+            Id::CircleShell | Id::Lambert => c * self.scale,
+            Id::Disk | Id::SphereShell => c * c * self.scale,
+            Id::Ball => c * c * c * self.scale,
+            // One exponential, so that a large factor and a small power meet without underflow.
+            Id::CosPower(_) => (self.ln_scale + self.ln_power(at)).exp(),
+        }
+    }
+
+    pub fn pdf(&self, at: &Direction<W>) -> W {
+        if self.law.planar() {
+            self.density(at)
+        } else {
+            self.density(at) * at.sin
+        }
+    }
+
+    pub fn ln_pdf(&self, at: &Direction<W>) -> W {
+        let density = self.ln_scale + self.ln_power(at);
+        if self.law.planar() {
+            density
+        } else {
+            density + at.ln_sin()
+        }
+    }
+
+    /// What the terms of `ln_pdf` may add up to before they cancel.
+    pub fn ln_pdf_terms(&self) -> f64 {
+        match self.law {
+            Id::CosPower(_) => self.ln_scale.near().abs(),
+            _ => 0.0,
+        }
+    }
+
+    /// (lower, upper) tails of a planar law at −θ, of a spatial one at θ; each relatively accurate.
+    pub fn tails(&self, at: &Direction<W>) -> (W, W) {
+        let (one, half) = (W::of(1.0), W::of(0.5));
+        let (c, s) = (at.cos, at.sin);
+        let c2 = c * c;
+        let nearer = match self.law {
+            Id::Disk => kepler_tail(at.eta, c, s),
+            Id::CircleShell => c2 * half / (one + s),
+            Id::CircleArc => at.eta * self.recip_pi,
+            Id::Ball => return (s * s * (one + c2), c2 * c2),
+            Id::SphereShell => return (s * s * (one + c + c2) / (one + c), c2 * c),
+            Id::Lambert => return (s * s, c2),
+            Id::CosPower(_) => {
+                // For tiny θ in an order that does not underflow before its value does.
+                let a = if s.near() < 1e-40 {
+                    (self.k + one) * s * s * half
+                } else {
+                    -(self.ln_power(at) + at.ln_cos())
+                };
+                return (a.one_minus_exp_neg(), (-a).exp());
+            }
+        };
+        (nearer, one - nearer)
+    }
+
+    /// 2D: (cos θ / 2)/density; 3D: (cos θ / π)/density.
+    pub fn lambert_weight(&self, at: &Direction<W>) -> W {
+        let c = at.cos;
+        match self.law {
+            Id::CircleShell | Id::Lambert => self.weight,
+            Id::CircleArc => self.weight * c,
+            Id::Disk | Id::SphereShell => self.weight / c,
+            Id::Ball => self.weight / (c * c),
+            Id::CosPower(_) => {
+                let log = self.weight.ln() + (W::of(1.0) - self.k) * at.ln_cos();
+                if log.near() > 709.8 {
+                    return W::of(f64::INFINITY);
+                }
+                log.exp()
+            }
+        }
+    }
 }
 
-/// Density of a cosine alone.
-pub fn density_at_cos<W: Wide>(law: Id, cos: f64) -> W {
-    let c = W::of(cos);
-    let zero = W::default();
-    let at = Direction {
-        theta: zero,
-        eta: zero,
-        cos: c,
-        sin: zero,
-        ln_cos: zero,
-    };
-    density(law, &at)
+pub fn density<W: Wide>(law: Id, at: &Direction<W>) -> W {
+    Formula::new(law).density(at)
 }
 
 pub fn pdf<W: Wide>(law: Id, at: &Direction<W>) -> W {
-    if law.planar() {
-        density(law, at)
-    } else {
-        density(law, at) * at.sin
-    }
+    Formula::new(law).pdf(at)
 }
 
 pub fn ln_pdf<W: Wide>(law: Id, at: &Direction<W>) -> W {
-    let k = law.exponent();
-    let power = if k == 0.0 {
-        W::of(0.0)
-    } else {
-        at.ln_cos * W::of(k)
-    };
-    let density = scale::<W>(law).ln() + power;
-    if law.planar() {
-        density
-    } else if at.sin.near() == 0.0 {
-        W::of(f64::NEG_INFINITY)
-    } else {
-        density + at.sin.ln()
-    }
+    Formula::new(law).ln_pdf(at)
 }
 
-/// (lower, upper) tails of a planar law at −θ, of a spatial one at θ; each relatively accurate.
 pub fn tails<W: Wide>(law: Id, at: &Direction<W>) -> (W, W) {
-    let (one, half) = (W::of(1.0), W::of(0.5));
-    let (c, s) = (at.cos, at.sin);
-    let c2 = c * c;
-    let nearer = match law {
-        Id::Disk => kepler_tail(at.eta),
-        Id::CircleShell => c2 * half / (one + s),
-        Id::CircleArc => at.eta / W::pi(),
-        Id::Ball => return (s * s * (one + c2), c2 * c2),
-        Id::SphereShell => return (s * s * (one + c + c2) / (one + c), c2 * c),
-        Id::Lambert => return (s * s, c2),
-        Id::CosPower(k) => {
-            // For tiny θ in an order that does not underflow before its value does.
-            let a = if s.near() < 1e-40 {
-                (W::of(k) + one) * s * s * half
-            } else {
-                -(W::of(k) * at.ln_cos + at.ln_cos)
-            };
-            return (a.one_minus_exp_neg(), (-a).exp());
-        }
-    };
-    (nearer, one - nearer)
-}
-
-/// (2η − sin 2η)/2π.
-pub fn kepler_tail<W: Wide>(eta: W) -> W {
-    let y = eta + eta;
-    let difference = if y.near() > 0.5 {
-        let sin = if y.near() > 1.6 {
-            // sin y = 2 sin η cos η keeps the argument in range.
-            let (s, c) = eta.sin_cos();
-            s * c * W::of(2.0)
-        } else {
-            y.sin_cos().0
-        };
-        y - sin
-    } else {
-        let square = y * y;
-        let mut term = y * square / W::of(6.0);
-        let mut sum = term;
-        for i in 2..16 {
-            let n = 2.0 * f64::from(i);
-            term = -(term * square) / W::of(n * (n + 1.0));
-            sum = sum + term;
-        }
-        sum
-    };
-    difference / (W::pi() * W::of(2.0))
-}
-
-/// 2D: (cos θ / 2)/density; 3D: (cos θ / π)/density.
-pub fn lambert_weight<W: Wide>(law: Id, at: &Direction<W>) -> W {
-    let lambert = if law.planar() {
-        W::of(0.5)
-    } else {
-        W::of(1.0) / W::pi()
-    };
-    match law {
-        Id::CosPower(k) => {
-            let next = W::of(k) + W::of(1.0);
-            let log = (W::of(2.0) / next).ln() + (W::of(1.0) - W::of(k)) * at.ln_cos;
-            if log.near() > 709.8 {
-                return W::of(f64::INFINITY);
-            }
-            log.exp()
-        }
-        _ => lambert * at.cos / (scale::<W>(law) * cos_power(law, at)),
-    }
+    Formula::new(law).tails(at)
 }

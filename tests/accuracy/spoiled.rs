@@ -1,7 +1,7 @@
 //! Planted errors that the sweeps must notice.
 
 use super::format::Format;
-use coslobe::{CosSin, Disk, Law, Moments, Tails};
+use coslobe::{CircleShell, CosSin, Disk, Law, Moments, Tails};
 
 /// A law with one operation spoiled: the tests above must notice each.
 #[derive(Clone, Copy)]
@@ -58,5 +58,46 @@ impl<T: Format> Law<T> for Spoiled {
     }
     fn moments(&self) -> Moments<T> {
         Disk.moments()
+    }
+}
+
+/// `CircleShell` with its direction at an upper tail, or its density at an angle, passed through a
+/// function.
+pub struct Altered<W, P> {
+    pub warp: W,
+    pub pdf: P,
+}
+
+impl<W, P> Law<f32> for Altered<W, P>
+where
+    W: Fn(f32, CosSin<f32>) -> CosSin<f32>,
+    P: Fn(f32, f32) -> f32,
+{
+    fn pdf(&self, theta: f32) -> f32 {
+        (self.pdf)(theta, CircleShell.pdf(theta))
+    }
+    fn warp_sf(&self, p: f32) -> CosSin<f32> {
+        (self.warp)(p, CircleShell.warp_sf(p))
+    }
+    fn tails(&self, theta: f32) -> Tails<f32> {
+        CircleShell.tails(theta)
+    }
+    fn ln_pdf(&self, theta: f32) -> f32 {
+        CircleShell.ln_pdf(theta)
+    }
+    fn density(&self, at: CosSin<f32>) -> f32 {
+        CircleShell.density(at)
+    }
+    fn warp_tails(&self, p: Tails<f32>) -> CosSin<f32> {
+        CircleShell.warp_tails(p)
+    }
+    fn unwarp_tails(&self, at: CosSin<f32>) -> Tails<f32> {
+        CircleShell.unwarp_tails(at)
+    }
+    fn lambert_weight(&self, at: CosSin<f32>) -> f32 {
+        CircleShell.lambert_weight(at)
+    }
+    fn moments(&self) -> Moments<f32> {
+        CircleShell.moments()
     }
 }

@@ -1,7 +1,9 @@
-//! Wider arithmetic for the references: `f64` to judge `f32`, double-double to judge `f64`.
+//! Wider arithmetic for the references: `f64` to judge `f32`, double-double to judge `f64` and the
+//! doubtful cases of `f32`, double-double with an exponent of its own where those of `f64` run out.
 //!
-//! Everything that a law needs is built here from series and Newton steps, not from the crate's
-//! kernels; `tests/error_bounds.rs` first checks it against the committed Arb tables.
+//! Everything that a law needs is built from the standard library, series and Newton steps, not from
+//! the crate's kernels; `tests/arb.rs` checks it against the committed Arb tables, and
+//! `tests/references.rs` the narrower of it against the wider.
 
 use super::double::Double;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -18,8 +20,11 @@ pub trait Wide:
     + Send
     + Sync
 {
-    /// Relative error that its functions keep below.
+    /// Relative error that the laws' reference values keep below.
     const EPS: f64;
+    /// Terms that sin and cos below 0.9 need, and y − sin y below ½.
+    const TERMS: usize;
+    const KEPLER_TERMS: usize;
     fn of(x: f64) -> Self;
     fn parts(hi: f64, lo: f64) -> Self;
     /// The nearest `f64`.
@@ -38,6 +43,12 @@ pub trait Wide:
     fn sin_cos(self) -> (Self, Self);
     /// π/2 − a for a in [0, π/2], with a third word of π/2.
     fn from_end(a: f64) -> Self;
+    /// 1/n!
+    fn inverse_factorial(n: usize) -> Self;
+    /// η of Kepler's equation (2η − sin 2η)/2π = p for 0 < p < 0.15.
+    fn kepler(p: f64) -> Self;
+    /// self·2ⁿ as a double-double.
+    fn lifted(self, n: i32) -> Double;
 
     fn pi() -> Self {
         Self::parts(std::f64::consts::PI, 1.2246467991473532e-16)
@@ -51,7 +62,7 @@ pub trait Wide:
     }
 }
 
-const HALF_PI: [f64; 3] = [
+pub const HALF_PI: [f64; 3] = [
     std::f64::consts::FRAC_PI_2,
     6.123233995736766e-17,
     -1.4973849048591833e-33,
@@ -59,6 +70,8 @@ const HALF_PI: [f64; 3] = [
 
 impl Wide for f64 {
     const EPS: f64 = 1e-12;
+    const TERMS: usize = 10;
+    const KEPLER_TERMS: usize = 8;
     fn of(x: f64) -> f64 {
         x
     }
@@ -98,144 +111,66 @@ impl Wide for f64 {
     fn angle(cos: f64, sin: f64) -> f64 {
         sin.atan2(cos)
     }
-}
-
-fn two(x: f64) -> Double {
-    Double::from(x)
-}
-
-/// Σ over terms given by `next(term, i)` from `first` until they no longer count.
-fn series(first: Double, next: impl Fn(Double, i32) -> Double) -> Double {
-    let (mut sum, mut term) = (first, first);
-    for i in 1..200 {
-        term = next(term, i);
-        sum = sum + term;
-        if term.hi.abs() <= sum.hi.abs() * 1e-34 {
-            break;
+    fn inverse_factorial(n: usize) -> f64 {
+        INVERSE_FACTORIALS[n]
+    }
+    fn kepler(p: f64) -> f64 {
+        let s = (12.0 * std::f64::consts::PI * p).cbrt();
+        let t = s * s;
+        let start = s * 0.5 * KEPLER_START.iter().rev().fold(0.0, |sum, c| sum * t + c);
+        // The series alone is exact where its first terms left out vanish.
+        if t < 0.2 {
+            return start;
         }
+        let (sin, cos) = start.sin_cos();
+        start - (kepler_tail(start, sin, cos) - p) * std::f64::consts::FRAC_PI_2 / (sin * sin)
     }
-    sum
-}
-
-/// eʳ − 1 for |r| ≤ 1/2.
-fn small_exp_m1(r: Double) -> Double {
-    series(r, |t, i| t * r / two(f64::from(i + 1)))
-}
-
-const LN_2: [f64; 2] = [std::f64::consts::LN_2, 2.3190468138462996e-17];
-
-impl Wide for Double {
-    const EPS: f64 = 1e-29;
-    fn of(x: f64) -> Self {
-        two(x)
-    }
-    fn parts(hi: f64, lo: f64) -> Self {
-        Double::sum(hi, lo)
-    }
-    fn near(self) -> f64 {
-        self.hi
-    }
-    fn minus(self, x: f64) -> f64 {
-        (self.hi - x) + self.lo
-    }
-    fn root(self) -> Self {
-        if self.hi <= 0.0 {
-            return two(0.0);
-        }
-        // Scaled by an even power, so that no residual underflows.
-        let n = (self.hi.log2() / 2.0) as i32;
-        let x = self.scale(-2 * n);
-        let guess = two(x.hi.sqrt());
-        (guess + (x - guess * guess) / (guess * two(2.0))).scale(n)
-    }
-    fn cube_root(self) -> Self {
-        if self.hi <= 0.0 {
-            return two(0.0);
-        }
-        let n = (self.hi.log2() / 3.0) as i32;
-        let x = self.scale(-3 * n);
-        let guess = two(x.hi.cbrt());
-        (guess + (x - guess * guess * guess) / (guess * guess * two(3.0))).scale(n)
-    }
-    fn exp(self) -> Self {
-        let n = (self.hi / LN_2[0]).round();
-        if n < -2500.0 {
-            return two(0.0);
-        }
-        let r = self - Double::product(n, LN_2[0]) - Double::product(n, LN_2[1]);
-        (two(1.0) + small_exp_m1(r)).scale(n as i32)
-    }
-    fn ln(self) -> Self {
-        if self.hi <= 0.0 {
-            return two(f64::NEG_INFINITY);
-        }
-        let n = self.hi.log2().round() as i32;
-        let m = self.scale(-n);
-        // ln m = 2 atanh((m − 1)/(m + 1)).
-        let z = (m - two(1.0)) / (m + two(1.0));
-        let n = f64::from(n);
-        double_atanh(z) + Double::product(n, LN_2[0]) + Double::product(n, LN_2[1])
-    }
-    fn ln_one_minus(self) -> Self {
-        if self.hi < 1e-40 {
-            return -self;
-        }
-        if self.hi > 0.25 {
-            return Wide::ln(two(1.0) - self);
-        }
-        double_atanh(-self / (two(2.0) - self))
-    }
-    fn one_minus_exp_neg(self) -> Self {
-        if self.hi > 0.5 {
-            return two(1.0) - Wide::exp(-self);
-        }
-        if self.hi < 1e-40 {
-            return self;
-        }
-        -small_exp_m1(-self)
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        if self.hi > 0.9 {
-            let (s, c) = (Self::parts(HALF_PI[0], HALF_PI[1]) - self).sin_cos_small();
-            return (c, s);
-        }
-        self.sin_cos_small()
-    }
-    fn from_end(a: f64) -> Self {
-        let d = Double::sum(HALF_PI[0], -a);
-        d + Double::sum(HALF_PI[1], HALF_PI[2])
+    fn lifted(self, n: i32) -> Double {
+        Double::from(self).scale(n)
     }
 }
 
-trait SinCosSmall: Sized {
-    fn sin_cos_small(self) -> (Self, Self);
+/// y/s in powers of s², for y − sin y = s³/6.
+const KEPLER_START: [f64; 13] = [
+    1.0,
+    1.0 / 60.0,
+    1.0 / 1400.0,
+    1.0 / 25200.0,
+    43.0 / 17248000.0,
+    1.683039183039183e-7,
+    1.1911667949082915e-8,
+    8.716860870222215e-10,
+    6.539638581589419e-11,
+    5.001592370976041e-12,
+    3.8844043825273724e-13,
+    3.054732998294483e-14,
+    2.4273770483331233e-15,
+];
+
+const INVERSE_FACTORIALS: [f64; 32] = {
+    let mut all = [1.0; 32];
+    let (mut n, mut factorial) = (1, 1.0);
+    while n < 32 {
+        factorial *= n as f64;
+        all[n] = 1.0 / factorial;
+        n += 1;
+    }
+    all
+};
+
+/// Σ over i < n of (−1)ⁱ tⁱ/(2i + first)!
+pub fn alternating<W: Wide>(t: W, first: usize, n: usize) -> W {
+    (0..n).rev().fold(W::default(), |sum, i| {
+        W::inverse_factorial(2 * i + first) - sum * t
+    })
 }
 
-impl SinCosSmall for Double {
-    fn sin_cos_small(self) -> (Self, Self) {
-        let square = self * self;
-        let step = |first: f64| {
-            move |t: Double, i: i32| {
-                let n = first + 2.0 * f64::from(i);
-                -(t * square) / two(n * (n - 1.0))
-            }
-        };
-        (series(self, step(1.0)), series(two(1.0), step(0.0)))
+/// (2η − sin 2η)/2π, given sin η and cos η.
+pub fn kepler_tail<W: Wide>(eta: W, sin: W, cos: W) -> W {
+    if eta.near() > 0.25 {
+        return (eta - sin * cos) / W::pi();
     }
-}
-
-/// 2 atanh z = ln((1 + z)/(1 − z)).
-fn double_atanh(z: Double) -> Double {
-    let square = z * z;
-    let mut power = z;
-    let mut sum = z;
-    for i in 1..400 {
-        power = power * square;
-        let term = power / two(f64::from(2 * i + 1));
-        sum = sum + term;
-        if term.hi.abs() <= sum.hi.abs() * 1e-34 {
-            break;
-        }
-    }
-    sum * two(2.0)
+    let y = eta + eta;
+    let t = y * y;
+    y * t * alternating(t, 3, W::KEPLER_TERMS) / (W::pi() * W::of(2.0))
 }
