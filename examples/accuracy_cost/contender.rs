@@ -1,0 +1,38 @@
+//! Whatever is measured: an operation of a law, ours in a number type or a peer's.
+
+use crate::accuracy::reference::Id;
+use crate::cell::Cell;
+use crate::errors::Errors;
+use crate::inputs::Uniforms;
+
+/// Errors measured by this study, given the uniforms to take and how many in each octave.
+pub(crate) type Measure = Box<dyn Fn(Uniforms, u32) -> Errors>;
+
+pub(crate) struct Contender {
+    /// The number type, or the peer's name.
+    pub(crate) name: String,
+    /// A few characters for a plot.
+    pub(crate) short: String,
+    pub(crate) ours: bool,
+    /// The plain type of the same format: `f32` or `f64`.
+    pub(crate) format: &'static str,
+    pub(crate) law: Id,
+    pub(crate) operation: &'static str,
+    pub(crate) cell: Cell,
+    /// Uniforms that the sampler itself draws.
+    pub(crate) own: Uniforms,
+    pub(crate) measure: Option<Measure>,
+}
+
+/// The plain type of a number type's format.
+pub(crate) fn plain(name: &str) -> &'static str {
+    if name.contains("f64") { "f64" } else { "f32" }
+}
+
+/// A law's name as the tables have it.
+pub(crate) fn law_name(law: Id) -> String {
+    match law {
+        Id::CosPower(k) => format!("CosPower({k})"),
+        id => id.name().to_owned(),
+    }
+}
