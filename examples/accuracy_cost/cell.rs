@@ -1,5 +1,6 @@
 //! A function bound to its inputs, as both the instruction counter and the clock run it.
 
+use crate::accuracy::format::Format;
 use coslobe::rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 use std::convert::Infallible;
@@ -16,8 +17,19 @@ pub(crate) fn generator() -> Pcg32 {
 
 /// Something that draws from a generator, whichever it is.
 pub(crate) trait Draw: Copy + 'static {
-    type Out: Default + 'static;
+    type Out: Default + Heading + 'static;
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Self::Out;
+}
+
+/// A direction that knows its angle from the axis +y.
+pub(crate) trait Heading {
+    fn cos(&self) -> f64;
+}
+
+impl<T: Format, const N: usize> Heading for [T; N] {
+    fn cos(&self) -> f64 {
+        self[1].wide()
+    }
 }
 
 /// Arguments to count over, and arguments to time over.
@@ -38,6 +50,8 @@ pub(crate) struct Cell {
     pub(crate) timed: Box<dyn FnMut()>,
     pub(crate) timed_calls: u64,
     pub(crate) words: Option<Words>,
+    /// Mean cos θ of what was drawn.
+    pub(crate) mean_cos: Option<f64>,
 }
 
 impl Cell {
@@ -60,6 +74,7 @@ impl Cell {
             }),
             timed: Box::new(move || each(&timed, f)),
             words: None,
+            mean_cos: None,
         }
     }
 
@@ -67,6 +82,7 @@ impl Cell {
     pub(crate) fn drawing<D: Draw>(sampler: D) -> Cell {
         // Never started again: a repeated sequence would teach the branch predictor each rejection.
         let mut endless = generator();
+        let (words, mean_cos) = Words::of(sampler);
         Cell {
             run: Box::new(move || draws(sampler, &mut generator())),
             empty: Box::new(|| {
@@ -77,7 +93,8 @@ impl Cell {
             calls: DRAWS,
             timed: Box::new(move || draws(sampler, &mut endless)),
             timed_calls: DRAWS,
-            words: Some(Words::of(sampler)),
+            words: Some(words),
+            mean_cos: Some(mean_cos),
         }
     }
 }
@@ -107,19 +124,19 @@ pub(crate) struct Words {
 }
 
 impl Words {
-    fn of(sampler: impl Draw) -> Words {
+    /// With the mean of cos θ.
+    fn of(sampler: impl Draw) -> (Words, f64) {
         let mut counter = Counter {
             rng: generator(),
             next_u32: 0,
             next_u64: 0,
         };
-        for _ in 0..DRAWS {
-            black_box(sampler.draw(&mut counter));
-        }
-        Words {
+        let sum: f64 = (0..DRAWS).map(|_| sampler.draw(&mut counter).cos()).sum();
+        let words = Words {
             next_u32: counter.next_u32 as f64 / DRAWS as f64,
             next_u64: counter.next_u64 as f64 / DRAWS as f64,
-        }
+        };
+        (words, sum / DRAWS as f64)
     }
 }
 
