@@ -1,0 +1,150 @@
+//! Relative errors by decade of the tail: one measure for ours and for the peers.
+
+use crate::accuracy::format::Format;
+use crate::accuracy::inverse::warp;
+use crate::accuracy::reference::Id;
+use crate::accuracy::wide::Wide;
+use crate::inputs::{Uniforms, tails};
+use coslobe::CosSin;
+use std::collections::BTreeMap;
+
+/// A tail begins where p < 10⁻³.
+const TAIL: i32 = -4;
+
+/// Worst relative errors by decade ⌊log₁₀ p⌋ of the nearer tail p.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Errors {
+    pub(crate) decades: BTreeMap<i32, f64>,
+    pub(crate) inputs: u64,
+}
+
+impl Errors {
+    pub(crate) fn note(&mut self, p: f64, error: f64) {
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        let decade = p.max(f64::MIN_POSITIVE).log10().floor() as i32;
+        let worst = self.decades.entry(decade).or_default();
+        *worst = worst.max(error);
+        self.inputs += 1;
+    }
+
+    pub(crate) fn worst(&self) -> f64 {
+        self.decades.values().fold(0.0, |a, &b| a.max(b))
+    }
+
+    pub(crate) fn worst_in_tail(&self) -> Option<f64> {
+        let tail = self.decades.range(..=TAIL).map(|(_, &e)| e);
+        tail.reduce(f64::max)
+    }
+}
+
+/// |got − want| / |want|; an exact zero is no error.
+pub(crate) fn relative<W: Wide>(got: W, want: W) -> f64 {
+    let difference = (got - want).near().abs();
+    if difference == 0.0 {
+        0.0
+    } else {
+        difference / want.near().abs()
+    }
+}
+
+/// The larger relative error of (cos θ, sin θ).
+pub(crate) fn of_pair<W: Wide>(got: (W, W), want: (W, W)) -> f64 {
+    relative(got.0, want.0).max(relative(got.1, want.1))
+}
+
+/// (cos θ, sin θ) that a direction with axis +y holds; sin θ without its sign.
+pub(crate) fn polar<T: Format>(d: &[T]) -> (T::Wide, T::Wide) {
+    let w = |x: T| T::Wide::of(x.wide());
+    match *d {
+        [sin, cos] => (w(cos), w(sin)),
+        [x, y, z] => {
+            // Scaled by a power of two: squares of the least components would underflow.
+            let scale = T::Wide::of(2f64.powi(if T::DIGITS == 24 { 0 } else { 200 }));
+            let (x, z) = (w(x) * scale, w(z) * scale);
+            (w(y), (x * x + z * z).root() / scale)
+        }
+        _ => unreachable!("directions have two or three components"),
+    }
+}
+
+/// The true (cos θ, sin θ) where the cdf (or, if `upper`, the sf) is u, and the nearer tail.
+fn truth<T: Format>(law: Id, u: T, upper: bool) -> ((T::Wide, T::Wide), f64) {
+    let far = u.wide() > 0.5;
+    let p = if far { 1.0 - u.wide() } else { u.wide() };
+    let nearer_is_upper = upper != far;
+    let (cos, sin) = warp::<T::Wide>(law, p, nearer_is_upper);
+    let negative = law.planar() && !nearer_is_upper;
+    ((cos, if negative { -sin } else { sin }), p)
+}
+
+/// The tails p and 1 − p as numbers of the format, but for those that round to 1.
+fn both_sides<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
+    let p = tails::<T>(from, n);
+    let one = T::round(1.0);
+    let far = p.iter().map(|&p| one - p).filter(|&u| u < one);
+    p.iter().copied().chain(far).collect()
+}
+
+/// Errors of a map from the cdf (or, if `upper`, the sf) to a direction.
+pub(crate) fn of_map<T: Format, const N: usize>(
+    law: Id,
+    upper: bool,
+    from: Uniforms,
+    n: u32,
+    map: impl Fn(T) -> [T; N],
+) -> Errors {
+    let mut errors = Errors::default();
+    for u in both_sides::<T>(from, n) {
+        let (want, p) = truth(law, u, upper);
+        errors.note(p, of_pair(polar(&map(u)), want));
+    }
+    errors
+}
+
+/// Errors of a law's own two entries: p as the cdf and as the sf.
+pub(crate) fn of_entries<T: Format>(
+    law: Id,
+    from: Uniforms,
+    n: u32,
+    lower: impl Fn(T) -> CosSin<T>,
+    upper: impl Fn(T) -> CosSin<T>,
+    direction: impl Fn(CosSin<T>) -> Vec<T>,
+) -> Errors {
+    let mut errors = Errors::default();
+    for p in tails::<T>(from, n) {
+        for (got, is_upper) in [(lower(p), false), (upper(p), true)] {
+            let (want, p) = truth(law, p, is_upper);
+            errors.note(p, of_pair(polar(&direction(got)), want));
+        }
+    }
+    errors
+}
+
+/// Errors of a quantile: θ at cdf = u.
+pub(crate) fn of_quantile<T: Format>(law: Id, n: u32, quantile: impl Fn(T) -> T) -> Errors {
+    let mut errors = Errors::default();
+    for u in both_sides::<T>(Uniforms::All, n) {
+        let ((cos, sin), p) = truth(law, u, false);
+        let negative = sin.near() < 0.0;
+        let theta = T::Wide::angle(cos, if negative { -sin } else { sin });
+        let theta = if negative { -theta } else { theta };
+        errors.note(p, relative(T::Wide::of(quantile(u).wide()), theta));
+    }
+    errors
+}
+
+/// Errors of a function of θ, by decade of the distance from the nearer end of [0, π/2].
+pub(crate) fn of_angle<T: Format>(
+    angles: &[T],
+    got: impl Fn(T) -> T,
+    want: impl Fn(f64) -> T::Wide,
+) -> Errors {
+    let mut errors = Errors::default();
+    for &theta in angles {
+        let end = std::f64::consts::FRAC_PI_2 - theta.wide().abs();
+        let p = theta.wide().abs().min(end);
+        let truth = want(theta.wide());
+        errors.note(p, relative(T::Wide::of(got(theta).wide()), truth));
+    }
+    errors
+}

@@ -1,0 +1,70 @@
+//! What accuracy costs: errors, instructions, time and random words of every operation of every
+//! law in every number type, and of what others would write instead.
+//!
+//! ```text
+//! cargo run --release --example accuracy_cost                    # strided errors: a minute or two
+//! cargo run --release --example accuracy_cost -- --stride 1      # every f32: about an hour
+//! cargo run --release --example accuracy_cost -- --keep-errors   # costs alone, errors as they stand
+//! cargo run --release --example accuracy_cost -- --check         # counts twice, expects no difference
+//! ```
+//!
+//! Writes `accuracy_cost.{csv,md,svg}` and `stability.svg`. Needs valgrind for the instructions
+//! (`apt install valgrind`); `docs/scipy.csv` comes from `tools/scipy_peer.py`.
+
+#[path = "../../tests/accuracy/mod.rs"]
+mod accuracy;
+mod args;
+#[allow(dead_code)] // shared with the atlas
+#[path = "../atlas/axis.rs"]
+mod axis;
+#[allow(dead_code)] // shared with the atlas
+#[path = "../atlas/canvas.rs"]
+mod canvas;
+mod catalog;
+mod cell;
+mod check;
+mod contender;
+mod count;
+mod disk_quantile;
+mod error_half;
+mod errors;
+mod inputs;
+mod label;
+mod machine;
+#[path = "../atlas/output.rs"]
+mod output;
+mod page;
+mod pareto;
+mod peers;
+mod row;
+mod scipy;
+mod stability;
+mod study;
+mod tables;
+mod time;
+
+use args::{Args, Task};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let args = Args::parse();
+    let done = match &args.task {
+        Some(Task::CountCells) => {
+            count::child(&mut catalog::all());
+            Ok(())
+        }
+        Some(Task::DiskQuantile { input, values }) => {
+            disk_quantile::run(input, values.as_deref()).map_err(Into::into)
+        }
+        None if args.check => check::run(),
+        None => study::run(&args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("accuracy_cost: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}
