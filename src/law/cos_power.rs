@@ -126,9 +126,8 @@ impl<W: Kernel> CosPower<W> {
     #[inline]
     fn tails_at(&self, at: CosSin<W::Wide>) -> Tails<W> {
         if at.cos.leading() > W::ZERO {
-            let a = W::ln_cos_power(self.successor(), at);
-            let upper = W::exp_times(a, W::Wide::exact(W::ONE));
-            Tails::from_both(W::one_minus_exp(a), upper)
+            let (lower, upper) = W::power_tails(self.successor(), at);
+            Tails::from_both(lower, upper)
         } else {
             Tails::from_nearer(W::ZERO, true)
         }

@@ -126,8 +126,12 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
         Tails::of_array(T::rounded(
             Margin::Relative,
-            || self.quick().unwarp_tails(Holds::of_pair(at)).to_array(),
-            || self.work().unwarp_tails(Holds::of_pair(at)).to_array(),
+            || {
+                self.quick()
+                    .unwarp_tails(Holds::of_direction(at))
+                    .to_array()
+            },
+            || self.work().unwarp_tails(Holds::of_direction(at)).to_array(),
         ))
     }
 

@@ -177,6 +177,47 @@ impl Holds<f64> for Double {
     }
 }
 
+/// A power that comes this near to an `f64` is one: c³ of a short c must be met exactly, since it can
+/// be a tie of a shorter format.
+#[inline]
+fn snapped(x: Double) -> Double {
+    if x.lo.abs() < x.hi.abs() * power_of_two(-90) {
+        Pair::exact(x.hi)
+    } else {
+        x
+    }
+}
+
+/// 1 − (1 − v)ᵐ for small mv, by the binomial series: beside the axis mv itself can be a tie of a
+/// shorter format, and then the sign of what follows decides.
+#[inline]
+fn one_minus_power(m: Double, v: Double) -> Double {
+    let mut rest = Double::ONE;
+    for j in (1..7).rev() {
+        let step = (m - Double::int(j)) * v / Double::int(j + 1);
+        rest = if j == 1 {
+            step * rest
+        } else {
+            Double::ONE - step * rest
+        };
+    }
+    let first = m * v;
+    let sum = first - first * rest;
+    if sum.lo == 0.0 {
+        // Too small to be held; its sign is not.
+        let least = sum.hi * power_of_two(-120);
+        let lo = if rest.hi > 0.0 {
+            -least
+        } else if rest.hi < 0.0 {
+            least
+        } else {
+            0.0
+        };
+        return Pair { hi: sum.hi, lo };
+    }
+    sum
+}
+
 impl Kernel for Double {
     type Wide = Double;
 
@@ -288,7 +329,7 @@ impl Kernel for Double {
     #[inline]
     fn exp_times(a: Self, c: Self) -> Self {
         let (m, n) = log_exp::exp(a);
-        let product = c * m;
+        let product = c * snapped(m);
         Pair {
             hi: product.hi.scale(n),
             lo: product.lo.scale(n),
@@ -296,7 +337,18 @@ impl Kernel for Double {
     }
     #[inline]
     fn one_minus_exp(a: Self) -> Self {
-        -log_exp::exp_m1(a)
+        snapped(-log_exp::exp_m1(a))
+    }
+    #[inline]
+    fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
+        let square = at.sin * at.sin;
+        let a = Self::ln_cos_power(n, at);
+        let lower = if n.hi * square.hi < power_of_two(-20) {
+            one_minus_power(n * Self::HALF, square)
+        } else {
+            Self::one_minus_exp(a)
+        };
+        (lower, Self::exp_times(a, Self::ONE))
     }
     #[inline]
     fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
@@ -317,7 +369,7 @@ impl Kernel for Double {
             // sin²θ = −2a, which for large n underflows before its root does.
             Self::sqrt_scaled(-(log + log), |x| x) / root::sqrt(n)
         } else {
-            root::sqrt(-log_exp::exp_m1(a + a))
+            root::sqrt(Self::one_minus_exp(a + a))
         };
         CosSin {
             cos: Self::exp_times(a, Self::ONE),

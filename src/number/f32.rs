@@ -170,6 +170,11 @@ impl Holds<f32> for f32 {
     fn of_tails(p: Tails<f32>) -> Tails<f32> {
         p
     }
+
+    #[inline(always)]
+    fn of_direction(at: CosSin<f32>) -> CosSin<f32> {
+        at
+    }
 }
 
 impl Tier for f32 {

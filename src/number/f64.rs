@@ -171,6 +171,11 @@ impl Holds<f64> for f64 {
     fn of_tails(p: Tails<f64>) -> Tails<f64> {
         p
     }
+
+    #[inline(always)]
+    fn of_direction(at: CosSin<f64>) -> CosSin<f64> {
+        at
+    }
 }
 
 impl Tier for f64 {

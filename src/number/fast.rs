@@ -309,6 +309,11 @@ impl Holds<Fast<f32>> for Fast<f32> {
     fn of_tails(p: Tails<Self>) -> Tails<Self> {
         p
     }
+
+    #[inline(always)]
+    fn of_direction(at: CosSin<Self>) -> CosSin<Self> {
+        at
+    }
 }
 
 impl Real for Fast<f32> {}

@@ -83,6 +83,13 @@ pub trait Kernel: Scalar {
     fn exp_times(a: Self::Wide, c: Self::Wide) -> Self;
     /// 1 − eᵃ for a ≤ 0.
     fn one_minus_exp(a: Self::Wide) -> Self;
+    /// (1 − cosⁿθ, cosⁿθ) for cos θ > 0.
+    #[inline]
+    fn power_tails(n: Self::Wide, at: CosSin<Self::Wide>) -> (Self, Self) {
+        let a = Self::ln_cos_power(n, at);
+        let upper = Self::exp_times(a, Self::Wide::exact(Self::ONE));
+        (Self::one_minus_exp(a), upper)
+    }
     /// (cos θ, sin θ) with cosⁿθ = the upper of the tails p.
     fn power_warp(p: Tails<Self>, n: Self::Wide) -> CosSin<Self>;
 }

@@ -25,6 +25,25 @@ pub trait Holds<T: Scalar>: Kernel {
             sin: Self::of(at.sin),
         }
     }
+
+    /// The direction that the smaller component names: the larger one is found again from it, since
+    /// as a `T` it has been rounded.
+    #[inline(always)]
+    fn of_direction(at: CosSin<T>) -> CosSin<Self> {
+        let CosSin { cos, sin } = Self::of_pair(at);
+        let other = |x: Self| (Self::ONE - x * x).sqrt();
+        if sin.abs() < cos.abs() {
+            CosSin {
+                cos: other(sin).copysign(cos),
+                sin,
+            }
+        } else {
+            CosSin {
+                cos,
+                sin: other(cos).copysign(sin),
+            }
+        }
+    }
 }
 
 /// What a rounding test may take as the error of a quick result.

@@ -3,7 +3,8 @@
 use super::format::Format;
 use super::reference::Id;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Real, Spatial, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Precise, Real,
+    Spatial, SphereShell,
 };
 use std::marker::PhantomData;
 
@@ -38,6 +39,39 @@ impl Tier for f64 {
     }
 }
 
+impl Tier for Precise<f32> {
+    type Raw = f32;
+    const NAME: &'static str = "Precise<f32>";
+    fn of(raw: f32) -> Self {
+        Precise(raw)
+    }
+    fn raw(self) -> f32 {
+        self.0
+    }
+}
+
+impl Tier for Precise<f64> {
+    type Raw = f64;
+    const NAME: &'static str = "Precise<f64>";
+    fn of(raw: f64) -> Self {
+        Precise(raw)
+    }
+    fn raw(self) -> f64 {
+        self.0
+    }
+}
+
+impl Tier for Fast<f32> {
+    type Raw = f32;
+    const NAME: &'static str = "Fast<f32>";
+    fn of(raw: f32) -> Self {
+        Fast(raw)
+    }
+    fn raw(self) -> f32 {
+        self.0
+    }
+}
+
 /// A law in each number type that there is of a format.
 pub trait Tiers: Format {
     fn tiers(id: Id) -> Vec<Subject<Self>>;
@@ -45,13 +79,17 @@ pub trait Tiers: Format {
 
 impl Tiers for f32 {
     fn tiers(id: Id) -> Vec<Subject<f32>> {
-        vec![Subject::of::<f32>(id)]
+        vec![
+            Subject::of::<f32>(id),
+            Subject::of::<Precise<f32>>(id),
+            Subject::of::<Fast<f32>>(id),
+        ]
     }
 }
 
 impl Tiers for f64 {
     fn tiers(id: Id) -> Vec<Subject<f64>> {
-        vec![Subject::of::<f64>(id)]
+        vec![Subject::of::<f64>(id), Subject::of::<Precise<f64>>(id)]
     }
 }
 
