@@ -41,7 +41,7 @@ pub fn ln_near_one(m: Double) -> Double {
 pub const LN_2: [f64; 2] = [std::f64::consts::LN_2, 2.3190468138462996e-17];
 
 impl Wide for Double {
-    const EPS: f64 = 4e-29;
+    const EPS: f64 = 1e-28;
     const TERMS: usize = 17;
     const KEPLER_TERMS: usize = 14;
     fn of(x: f64) -> Self {
