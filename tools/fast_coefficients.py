@@ -1,7 +1,7 @@
 """Polynomials of the `Fast<f32>` kernels: what `tools/coefficients.py` writes to src/kernel/fast/table.rs.
 
 Two kinds. A float polynomial has f32 coefficients. A fixed-point one is evaluated in 32-bit
-integers: x in Q16, c1.. in Qk, the constant term in Q(k + 16), and no product of
+integers: x in Q16, the leading coefficient in Qk, the others in Q(k + 16), and no step of
 Horner's rule leaves 32 bits (checked here). The error is that of the polynomial with its stored
 coefficients, certified by Sollya's supnorm against an interpolant exact to 1e-30.
 """
@@ -42,19 +42,19 @@ def specs(newton):
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
     return [
-        ("SQRT", lambda f: sqrt(1 + f), (0, 1), -13.3, 15, "sqrt(1 + x)"),
-        ("CBRT", lambda f: cbrt(1 + f), (0, 1), -13.3, 15, "cbrt(1 + x)"),
-        ("FOURTH_ROOT", lambda f: sqrt(sqrt(1 + f)), (0, 1), -13.3, 15, "(1 + x)^(1/4)"),
+        ("SQRT", lambda f: sqrt(1 + f), (0, 1), -15, 15, "sqrt(1 + x)"),
+        ("CBRT", lambda f: cbrt(1 + f), (0, 1), -15, 15, "cbrt(1 + x)"),
+        ("FOURTH_ROOT", lambda f: sqrt(sqrt(1 + f)), (0, 1), -15, 15, "(1 + x)^(1/4)"),
         ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
         ("TURN_COS", of_square(lambda y: cos(pi / 4 * y)), (0, 1), -13.5, 15, "cos(pi y / 4) in y^2"),
         ("KEPLER_COS", of_square(lambda z: sin(eta(z)) / z), (0, grown(top**2)), -13.7, 15,
          "cos theta / z in z^2, z = cbrt p, p <= 1/2"),
         ("KEPLER_SIN", centred(lambda z: cos(eta(z)) / 2), (-middle, grown(top) - middle), -13.3, 15,
          "sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
-        ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -13.3, 15,
+        ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -14.2, 14,
          "theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
-        ("EXP2", lambda g: mpf(2) ** g, (0, 1 - mpf(2) ** -15), -15, 15, "2^x"),
-        ("EXP2_M1", lambda g: mp.expm1(g * mp.log(2)) / g if abs(g) > mpf(10) ** -60 else mp.log(2), (-0.5, 0), -13.7, 15, "(2^x - 1) / x, x <= 0"),
+        ("EXP2", lambda g: mpf(2) ** g / 2, (0, 1 - mpf(2) ** -15), -15, 15, "2^x / 2"),
+        ("EXP2_M1", lambda g: mp.expm1(g * mp.log(2)) / g if abs(g) > mpf(10) ** -60 else mp.log(2), (-0.5, 0), -13.7, 16, "(2^x - 1) / x, x <= 0"),
         ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
         ("COS", sinc, (0, grown(pi**2 / 4)), -15, None, "the same, finer: cosines are raised to powers"),
         ("HALF_TURN", of_square(lambda x: sin(pi * x) / x), (0, 0.25), -12.9, None, "sin(pi x) / x in x^2, x <= 1/2"),
@@ -79,7 +79,7 @@ def fit(proxy, interval, wanted, k):
     script = f"""
 display = dyadic!; prec = 300!;
 f = horner({formula}); lo = {lo}; hi = {hi}; found = 0;
-procedure kinds(n) {{ var l, i; l = [|{(k or 0) + 16}|]; for i from 1 to n do {{ l = l :. {k or 0}; }}; return l; }};
+procedure kinds(n) {{ var l, i; l = [|{(k or 0) + 16}|]; for i from 2 to n do {{ l = l :. {(k or 0) + 16}; }}; return l :. {k or 0}; }};
 for n from 1 to 9 do {{
   if (found == 0) then {{
     p = fpminimax(f, n, {form});
@@ -107,21 +107,22 @@ for n from 1 to 9 do {{
 
 
 def check_range(name, c, interval, k):
-    """Every product of Horner's rule fits a signed 32-bit word, the last sum an unsigned one."""
+    """Every step of Horner's rule fits a signed 32-bit word, the last sum an unsigned one."""
     for i in range(257):
         x = interval[0] + (interval[1] - interval[0]) * mpf(i) / 256
         total = c[-1]
         for a in reversed(c[:-1]):
-            assert abs(total * x) * 2 ** (k + 16) < 2**31, name
-            total = total * x + a
-        assert 0 < total < 2 ** (16 - k), name
+            product, total = total * x, total * x + a
+            assert abs(product) * 2 ** (k + 16) < 2**31, (name, k)
+            assert a is c[0] or abs(total) * 2 ** (k + 16) < 2**31 - 2**16, (name, k)
+        assert 0 < total < 2 ** (16 - k), (name, k)
 
 
 def write(series_free, newton, text):
     lines = [
         "//! Coefficients of the fast kernels, written by `python3 tools/coefficients.py`: do not edit.",
         "//!",
-        "//! `FixedPoint`: constant term in Q(k + 16), the others in Qk, argument in Q16. Each error is relative,",
+        "//! `FixedPoint`: argument in Q16, `last` in Qk, the others in Q(k + 16), `inner` with half a unit of Qk added. Each error is relative,",
         "//! certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
         "#![allow(clippy::approx_constant, clippy::excessive_precision)] // the constants are the point",
         "",
@@ -139,8 +140,11 @@ def write(series_free, newton, text):
             lines += [f"pub(crate) const {name}: [f32; {len(c)}] = [{values}];"]
         else:
             check_range(name, c, interval, k)
-            first, rest = int(c[0] * 2 ** (k + 16)), ", ".join(str(int(v * 2**k)) for v in c[1:])
-            lines += [f"pub(crate) const {name}: FixedPoint<{len(c) - 1}> = FixedPoint {{ first: {first}, rest: [{rest}] }};"]
+            whole = [int(v * 2 ** (k + 16)) for v in c]
+            # Half a unit of what a step cuts off rounds it at no cost.
+            inner = ", ".join(str(v + 2**15) for v in whole[1:-1])
+            lines += [f"pub(crate) const {name}: FixedPoint<{len(c) - 2}> = FixedPoint {{ "
+                      f"first: {whole[0]}, inner: [{inner}], last: {int(c[-1] * 2**k)} }};"]
     path = "src/kernel/fast/table.rs"
     with open(path, "w") as out:
         out.write("\n".join(lines) + "\n")

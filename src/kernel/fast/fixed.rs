@@ -1,23 +1,19 @@
 //! Fixed-point polynomials, and floats put together from integers.
 
-/// Σ cᵢ xⁱ, x in Q16: c₀ in Q(k + 16), the others in Qk.
+/// A polynomial of x in Q16: the leading coefficient in Qk, the others in Q(k + 16), the inner ones
+/// with the half unit that rounds their sum to Qk.
 pub(crate) struct FixedPoint<const N: usize> {
     pub(crate) first: u32,
-    pub(crate) rest: [i32; N],
+    pub(crate) inner: [i32; N],
+    pub(crate) last: i32,
 }
 
 impl<const N: usize> FixedPoint<N> {
-    /// The value in Q(k + 16): the last product keeps all its bits. Wraps for x outside the domain.
+    /// The value in Q(k + 16): the last sum keeps all its bits. Wraps for x outside the domain.
     #[inline(always)]
     pub(crate) fn at(&self, x: i32) -> u32 {
-        let mut sum = 0i32;
-        for (i, &c) in self.rest.iter().rev().enumerate() {
-            sum = if i == 0 {
-                c
-            } else {
-                (sum.wrapping_mul(x) >> 16).wrapping_add(c)
-            };
-        }
+        let step = |sum: i32, &c: &i32| sum.wrapping_mul(x).wrapping_add(c) >> 16;
+        let sum = self.inner.iter().rev().fold(self.last, step);
         (sum.wrapping_mul(x) as u32).wrapping_add(self.first)
     }
 }
@@ -28,7 +24,7 @@ pub(crate) const fn leading_31(r: u32, e: i32) -> f32 {
     f32::from_bits((r >> 8).wrapping_add(((126 + e) << 23) as u32))
 }
 
-/// r·2ᵉ⁻³¹ for 2³⁰ ≤ r ≤ 2³¹; at the upper end the carry makes the next power of two.
+/// r·2ᵉ⁻³¹ for 2³⁰ ≤ r ≤ 2³¹; an excess over 2³¹ counts twice, as the carry makes the next power of two.
 #[inline(always)]
 pub(crate) const fn leading_30(r: u32, e: i32) -> f32 {
     f32::from_bits((r >> 7).wrapping_add(((125 + e) << 23) as u32))

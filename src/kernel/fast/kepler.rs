@@ -41,5 +41,5 @@ pub(crate) fn pair_at_tail(p: f32) -> (f32, f32) {
 #[inline]
 pub(crate) fn angle_at_tail(p: f32) -> f32 {
     let x = q16(cbrt(p));
-    (0.5 - p) * PI * leading_30(KEPLER_ANGLE.at(x.wrapping_sub(KEPLER_MIDDLE)), 0)
+    (0.5 - p) * PI * leading_30(KEPLER_ANGLE.at(x.wrapping_sub(KEPLER_MIDDLE)) << 1, 0)
 }

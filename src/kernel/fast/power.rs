@@ -3,7 +3,7 @@
 //! cosᵏθ = exp(k ln cos θ) multiplies the relative error of ln cos θ by k |ln cos θ| (87 where cosᵏθ
 //! underflows), so the logarithm has about 2⁻²¹, nine bits more than the result needs.
 
-use super::fixed::{horner, leading_30};
+use super::fixed::{horner, leading_31};
 use super::root::unusual;
 use super::table::{EXP2, EXP2_M1, LN};
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
@@ -98,7 +98,7 @@ pub(crate) fn exp2(y: f32) -> f32 {
     // The exponent field of the sum is constant; what follows it is (y + 128)·2¹⁵.
     let fraction = (bits & 0x7FFF) << 1;
     let n = (bits >> 15) & 0xFF;
-    let significand = EXP2.at(fraction as i32) >> 8;
+    let significand = EXP2.at(fraction as i32) >> 7;
     f32::from_bits(significand.wrapping_add(n.wrapping_sub(2) << 23))
 }
 
@@ -115,7 +115,7 @@ pub(crate) fn one_minus_exp(x: f32) -> f32 {
     if y > -0.5 {
         // Where the exponent of the sum stays that of 384, its bits differ by y in Q15.
         let q15 = (y + SHIFT).to_bits().wrapping_sub(SHIFT.to_bits());
-        -y * leading_30(EXP2_M1.at((q15 << 1) as i32), 0)
+        -y * leading_31(EXP2_M1.at((q15 << 1) as i32), -1)
     } else {
         1.0 - exp2(y)
     }

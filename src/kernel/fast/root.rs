@@ -1,4 +1,4 @@
-//! Square, cube and fourth roots: the exponent divided, the significand by an integer cubic.
+//! Square, cube and fourth roots: the exponent divided, the significand by an integer polynomial of degree 4.
 //!
 //! A native square root is one instruction where there is one, but about 415 on a Cortex-M0 and 51
 //! (`libm`'s) on a Cortex-M4F; this one is about as long everywhere, as are the other two.

@@ -1,6 +1,6 @@
 //! Coefficients of the fast kernels, written by `python3 tools/coefficients.py`: do not edit.
 //!
-//! `FixedPoint`: constant term in Q(k + 16), the others in Qk, argument in Q16. Each error is relative,
+//! `FixedPoint`: argument in Q16, `last` in Qk, the others in Q(k + 16), `inner` with half a unit of Qk added. Each error is relative,
 //! certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.
 #![allow(clippy::approx_constant, clippy::excessive_precision)] // the constants are the point
 
@@ -9,64 +9,76 @@ use super::fixed::FixedPoint;
 /// Half of cbrt 1/2, in Q16.
 pub(crate) const KEPLER_MIDDLE: i32 = 26008;
 
-/// sqrt(1 + x); relative error 2^-13.78; k = 15
+/// sqrt(1 + x); relative error 2^-16.86; k = 15
 pub(crate) const SQRT: FixedPoint<3> = FixedPoint {
-    first: 2147630387,
-    rest: [16294, -3538, 818],
+    first: 2147501526,
+    inner: [1072697051, -258096863, 98040251],
+    last: -352,
 };
 
-/// cbrt(1 + x); relative error 2^-13.66; k = 15
+/// cbrt(1 + x); relative error 2^-16.71; k = 15
 pub(crate) const CBRT: FixedPoint<3> = FixedPoint {
-    first: 2147633438,
-    rest: [10831, -3073, 760],
+    first: 2147503624,
+    inner: [714685281, -227479904, 93765510],
+    last: -347,
 };
 
-/// (1 + x)^(1/4); relative error 2^-13.79; k = 15
+/// (1 + x)^(1/4); relative error 2^-16.82; k = 15
 pub(crate) const FOURTH_ROOT: FixedPoint<3> = FixedPoint {
-    first: 2147635172,
-    rest: [8106, -2552, 646],
+    first: 2147502256,
+    inner: [535817870, -191083939, 81762753],
+    last: -307,
 };
 
-/// 2 sin(pi y / 4) / y in y^2; relative error 2^-18.28; k = 15
-pub(crate) const TURN_SIN: FixedPoint<2> = FixedPoint {
-    first: 3373265898,
-    rest: [-5291, 160],
+/// 2 sin(pi y / 4) / y in y^2; relative error 2^-18.63; k = 15
+pub(crate) const TURN_SIN: FixedPoint<1> = FixedPoint {
+    first: 3373257640,
+    inner: [-346702633],
+    last: 160,
 };
 
-/// cos(pi y / 4) in y^2; relative error 2^-16.14; k = 15
-pub(crate) const TURN_COS: FixedPoint<2> = FixedPoint {
-    first: 2147461602,
-    rest: [-10100, 503],
+/// cos(pi y / 4) in y^2; relative error 2^-16.24; k = 15
+pub(crate) const TURN_COS: FixedPoint<1> = FixedPoint {
+    first: 2147455839,
+    inner: [-661871212],
+    last: 503,
 };
 
 /// cos theta / z in z^2, z = cbrt p, p <= 1/2; relative error 2^-14.08; k = 15
-pub(crate) const KEPLER_COS: FixedPoint<4> = FixedPoint {
-    first: 3600133312,
-    rest: [-15231, -8135, 4591, -12513],
+pub(crate) const KEPLER_COS: FixedPoint<3> = FixedPoint {
+    first: 3600132758,
+    inner: [-998111376, -533342294, 301449929],
+    last: -12519,
 };
 
-/// sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p; relative error 2^-13.47; k = 15
-pub(crate) const KEPLER_SIN: FixedPoint<5> = FixedPoint {
-    first: 1898243808,
-    rest: [-12546, 3947, 18737, -13590, 29677],
+/// sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p; relative error 2^-13.48; k = 15
+pub(crate) const KEPLER_SIN: FixedPoint<4> = FixedPoint {
+    first: 1898243359,
+    inner: [-822171693, 258729954, 1227775960, -890779853],
+    last: 29691,
 };
 
-/// theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p; relative error 2^-13.93; k = 15
+/// theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p; relative error 2^-15.58; k = 14
 pub(crate) const KEPLER_ANGLE: FixedPoint<6> = FixedPoint {
-    first: 1381385797,
-    rest: [-21250, 22812, -1787, -6542, 35681, 17371],
+    first: 690721117,
+    inner: [
+        -696958947, 744145668, -21148037, -155434879, 668874529, 316062636,
+    ],
+    last: 28664,
 };
 
-/// 2^x; relative error 2^-17.98; k = 15
-pub(crate) const EXP2: FixedPoint<4> = FixedPoint {
-    first: 2147485408,
-    rest: [22709, 7910, 1705, 444],
+/// 2^x / 2; relative error 2^-18.51; k = 15
+pub(crate) const EXP2: FixedPoint<3> = FixedPoint {
+    first: 1073744699,
+    inner: [744136577, 259298689, 55847612],
+    last: 222,
 };
 
-/// (2^x - 1) / x, x <= 0; relative error 2^-14.15; k = 15
-pub(crate) const EXP2_M1: FixedPoint<2> = FixedPoint {
-    first: 1488440212,
-    rest: [7830, 1597],
+/// (2^x - 1) / x, x <= 0; relative error 2^-14.24; k = 16
+pub(crate) const EXP2_M1: FixedPoint<1> = FixedPoint {
+    first: 2976891153,
+    inner: [1026416415],
+    last: 3196,
 };
 
 /// sin x / x in x^2, |x| <= pi / 2; relative error 2^-13.17
