@@ -1,5 +1,6 @@
 //! (cos θ, sin θ) of an angle within the support, and the angle of a pair.
 
+use super::atan::acute;
 use super::pair::Pair;
 use super::poly::{horner, horner_pair};
 use crate::CosSin;
@@ -87,10 +88,10 @@ pub(crate) fn at_angle_fine<T: Real>(theta: T) -> PairCosSin<T> {
     PairCosSin { cos, sin }.swap_if(far)
 }
 
-/// θ = atan2(sin, cos), kept within the support: the float nearest π/2 may lie beyond π/2.
+/// θ of a unit vector with cos θ ≥ 0, kept within the support: the float nearest π/2 may lie beyond π/2.
 #[inline]
 pub(crate) fn angle<T: Real>(at: CosSin<T>) -> T {
-    into_support(at.sin.atan2(at.cos))
+    into_support(acute(at.sin.abs(), at.cos).copysign(at.sin))
 }
 
 /// Moves an angle that rounding put beyond ±π/2 back to the last float inside.

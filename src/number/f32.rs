@@ -139,7 +139,7 @@ impl Kernel for f32 {
 
     #[inline]
     fn atan2(self, x: f32) -> f32 {
-        libm::atan2f(self, x)
+        crate::kernel::atan::atan2(self, x)
     }
 
     #[inline]

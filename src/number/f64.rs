@@ -140,7 +140,7 @@ impl Kernel for f64 {
 
     #[inline]
     fn atan2(self, x: f64) -> f64 {
-        libm::atan2(self, x)
+        crate::kernel::atan::atan2(self, x)
     }
 
     #[inline]
