@@ -1,5 +1,6 @@
 //! Pure numeric kernels, generic over the number type: no law and no generator is known here.
 
+pub(crate) mod atan;
 pub(crate) mod cbrt;
 pub(crate) mod double;
 pub(crate) mod fast;

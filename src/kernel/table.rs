@@ -44,6 +44,7 @@ pub struct Table<T: 'static> {
     pub(crate) disk_tail: &'static [T],
     pub(crate) disk_tail_of_cos: &'static [T],
     pub(crate) disk_centre_of_sin: &'static [T],
+    pub(crate) atan: &'static [T],
     pub(crate) cosine_integral: &'static [T],
     pub(crate) angle_integral: &'static [T],
     pub(crate) sin_series: Series<T>,

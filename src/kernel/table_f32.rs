@@ -175,6 +175,15 @@ pub(crate) const TABLE: Table<f32> = Table {
         0.0026867976,
         -0.0033673448,
     ],
+    // (atan x - x) / x^3 in x^2, |x| <= 1/2; relative error 2^-24.98
+    atan: &[
+        -0.33333334,
+        0.19999988,
+        -0.14282323,
+        0.110298686,
+        -0.083272405,
+        0.04358874,
+    ],
     // integral of cos^n over its leading term, in m^-2, m = (2n + 1)/4; asymptotic
     cosine_integral: &[
         1.0,

@@ -23,8 +23,7 @@ pub trait Formulas<W: Kernel> {
 
     #[inline]
     fn quantile_tails(&self, p: Tails<W>) -> W {
-        let at = self.warp_tails(p);
-        at.sin.atan2(at.cos)
+        W::angle(self.warp_tails(p))
     }
 }
 

@@ -68,11 +68,11 @@ pub trait Law<T: Real> {
     /// θ at the given tails, never outside the support.
     #[inline]
     fn quantile_tails(&self, p: Tails<T>) -> T {
-        let CosSin { cos, sin } = self.warp_tails(p);
+        let at = self.warp_tails(p);
         let [theta] = T::rounded(
             Margin::Relative,
-            || [T::Quick::of(sin).atan2(Holds::of(cos))],
-            || [T::Work::of(sin).atan2(Holds::of(cos))],
+            || [T::Quick::angle(Holds::of_pair(at))],
+            || [T::Work::angle(Holds::of_pair(at))],
         );
         into_support(theta)
     }

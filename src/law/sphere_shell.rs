@@ -106,13 +106,13 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         let at = self.warp_tails(p);
         // Below this the ratio of the tails is 2/3 to all digits, and cubes would underflow.
         if p.lower().is_negligible() || p.upper().is_negligible() {
-            return at.sin.atan2(at.cos);
+            return W::angle(at);
         }
         let (one, cos) = (W::Wide::exact(W::ONE), p.upper().cbrt_wide());
         let next = one.add(cos);
         let square = next.div(next.add(cos.mul(cos)));
         let sin = square.mul(W::Wide::exact(p.lower())).sqrt();
-        sin.atan2(at.cos)
+        W::angle(CosSin { cos: at.cos, sin })
     }
 
     #[inline]

@@ -125,11 +125,6 @@ impl Native for f32 {
     }
 
     #[inline]
-    fn atan2(self, x: f32) -> f32 {
-        libm::atan2f(self, x)
-    }
-
-    #[inline]
     fn scale(self, n: i32) -> f32 {
         libm::scalbnf(self, n)
     }

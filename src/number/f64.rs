@@ -126,11 +126,6 @@ impl Native for f64 {
     }
 
     #[inline]
-    fn atan2(self, x: f64) -> f64 {
-        libm::atan2(self, x)
-    }
-
-    #[inline]
     fn scale(self, n: i32) -> f64 {
         libm::scalbn(self, n)
     }

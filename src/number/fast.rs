@@ -233,6 +233,10 @@ impl Kernel for Fast<f32> {
         Fast(angle::atan2(self.0, x.0))
     }
     #[inline(always)]
+    fn angle(at: CosSin<Self>) -> Self {
+        Fast(angle::atan2_first(at.sin.0, at.cos.0)).copysign(at.sin)
+    }
+    #[inline(always)]
     fn from_end(a: Self) -> Self {
         Fast(angle::from_end(a.0))
     }

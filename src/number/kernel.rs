@@ -4,7 +4,7 @@ use super::native::Native;
 use super::scalar::Scalar;
 use crate::kernel::pair::Pair;
 use crate::kernel::table::Constants;
-use crate::kernel::{cbrt, kepler, power, root, trig, turn};
+use crate::kernel::{atan, cbrt, kepler, power, root, trig, turn};
 use crate::{CosSin, Tails};
 
 /// An intermediate result with what rounding took from it, as far as the arithmetic cares.
@@ -52,6 +52,11 @@ pub trait Kernel: Scalar {
     fn ln_cos(at: CosSin<Self::Wide>) -> Self;
     /// atan2(self, x).
     fn atan2(self, x: Self) -> Self;
+    /// θ of a unit vector with cos θ ≥ 0.
+    #[inline(always)]
+    fn angle(at: CosSin<Self>) -> Self {
+        at.sin.atan2(at.cos)
+    }
 
     /// π/2 − a for 0 ≤ a ≤ π/2, relatively accurate.
     fn from_end(a: Self) -> Self::Wide;
@@ -168,7 +173,11 @@ impl<T: Native> Kernel for T {
     }
     #[inline(always)]
     fn atan2(self, x: T) -> T {
-        Native::atan2(self, x)
+        atan::atan2(self, x)
+    }
+    #[inline(always)]
+    fn angle(at: CosSin<T>) -> T {
+        atan::of_pair(at)
     }
     #[inline(always)]
     fn from_end(a: T) -> Pair<T> {

@@ -29,8 +29,6 @@ pub trait Native: Scalar {
     fn ln_1p(self) -> Self;
     fn exp(self) -> Self;
     fn exp_m1(self) -> Self;
-    /// atan2(self, x).
-    fn atan2(self, x: Self) -> Self;
 
     /// self·2ⁿ, rounded once.
     fn scale(self, n: i32) -> Self;
