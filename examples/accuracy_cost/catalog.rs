@@ -2,7 +2,7 @@
 
 use crate::accuracy::format::Format;
 use crate::accuracy::reference::Id;
-use crate::cell::{Cell, Draw, generator};
+use crate::cell::{Cell, Draw, generator, generator_cells};
 use crate::contender::{Contender, Measure, plain};
 use crate::errors;
 use crate::inputs::{Uniforms, angles, pairs, probabilities};
@@ -25,11 +25,36 @@ fn types(list: &mut Vec<Contender>) {
 }
 
 /// Everything that is measured, always in the same order.
-pub(crate) fn all() -> Vec<Contender> {
+fn all() -> Vec<Contender> {
     let mut list = Vec::new();
     types(&mut list);
     peers::all(&mut list);
     list
+}
+
+/// All cells in the order that they are counted in: the contenders', then the generator's.
+pub(crate) struct Counted {
+    pub(crate) list: Vec<Contender>,
+    pub(crate) generator: [Cell; 2],
+}
+
+impl Counted {
+    pub(crate) fn new() -> Counted {
+        Counted {
+            list: all(),
+            generator: generator_cells(),
+        }
+    }
+
+    pub(crate) fn cells(&mut self) -> impl Iterator<Item = &mut Cell> {
+        let list = self.list.iter_mut().map(|c| &mut c.cell);
+        list.chain(&mut self.generator)
+    }
+
+    /// Calls of each cell.
+    pub(crate) fn calls(&mut self) -> Vec<u64> {
+        self.cells().map(|c| c.calls).collect()
+    }
 }
 
 fn number<T: Format>(list: &mut Vec<Contender>) {
@@ -127,6 +152,7 @@ struct Around<T, L> {
 
 impl<T: Format, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {
     type Out = [T; 2];
+    #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
         self.0.sample(rng)
     }
@@ -134,6 +160,7 @@ impl<T: Format, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {
 
 impl<T: Format, L: Spatial<T> + Copy + 'static> Draw for InSpace<T, L> {
     type Out = [T; 3];
+    #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         self.0.sample(rng)
     }
@@ -141,6 +168,7 @@ impl<T: Format, L: Spatial<T> + Copy + 'static> Draw for InSpace<T, L> {
 
 impl<T: Format, L: Spatial<T> + Copy + 'static> Draw for Around<T, L> {
     type Out = [T; 3];
+    #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         self.law.sample_around(black_box(self.normal), rng)
     }

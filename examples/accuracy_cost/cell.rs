@@ -18,6 +18,7 @@ pub(crate) fn generator() -> Pcg32 {
 /// Something that draws from a generator, whichever it is.
 pub(crate) trait Draw: Copy + 'static {
     type Out: Default + Heading + 'static;
+    /// To be inlined: this wrapper shall cost nothing of its own.
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Self::Out;
 }
 
@@ -78,6 +79,28 @@ impl Cell {
         }
     }
 
+    fn words<W: Default + 'static>(next: impl Fn(&mut Pcg32) -> W + Copy + 'static) -> Cell {
+        let words = move || {
+            let mut rng = generator();
+            for _ in 0..DRAWS {
+                black_box(next(&mut rng));
+            }
+        };
+        Cell {
+            run: Box::new(words),
+            empty: Box::new(|| {
+                for _ in 0..DRAWS {
+                    black_box(W::default());
+                }
+            }),
+            calls: DRAWS,
+            timed: Box::new(words),
+            timed_calls: DRAWS,
+            words: None,
+            mean_cos: None,
+        }
+    }
+
     /// A sampler with its generator: the generator's instructions are part of the cost.
     pub(crate) fn drawing<D: Draw>(sampler: D) -> Cell {
         // Never started again: a repeated sequence would teach the branch predictor each rejection.
@@ -97,6 +120,14 @@ impl Cell {
             mean_cos: Some(mean_cos),
         }
     }
+}
+
+/// The generator alone: a `next_u32`, a `next_u64`.
+pub(crate) fn generator_cells() -> [Cell; 2] {
+    [
+        Cell::words(|rng| rng.next_u32()),
+        Cell::words(|rng| rng.next_u64()),
+    ]
 }
 
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Whether the study can be trusted: counts repeat, and each sampler, ours or a peer's, follows its
 //! law.
 
-use crate::catalog;
+use crate::catalog::Counted;
 use crate::contender::law_name;
 use crate::count::{Missing, counts};
 use crate::study::bar;
@@ -11,9 +11,11 @@ use std::error::Error;
 const SIGMAS: f64 = 6.0;
 
 pub(crate) fn run() -> Result<(), Box<dyn Error>> {
-    let list = catalog::all();
+    let mut all = Counted::new();
+    let calls = all.calls();
+    let list = &all.list;
     let mut wrong = Vec::new();
-    for c in &list {
+    for c in list {
         // `sample_around` has another axis.
         let mean = c.cell.mean_cos.filter(|_| c.operation == "sample");
         let Some(mean) = mean else {
@@ -29,9 +31,9 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
             ));
         }
     }
-    let progress = bar("instructions", 2 * list.len() as u64);
-    let both = counts(&list, || progress.inc(1))
-        .and_then(|first| Ok((first, counts(&list, || progress.inc(1))?)));
+    let progress = bar("instructions", 2 * calls.len() as u64);
+    let both = counts(&calls, || progress.inc(1))
+        .and_then(|first| Ok((first, counts(&calls, || progress.inc(1))?)));
     progress.finish_and_clear();
     match both {
         Ok((first, second)) => {

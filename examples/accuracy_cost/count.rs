@@ -1,7 +1,7 @@
 //! Instructions by callgrind: this program runs itself once under valgrind, and each cell is
 //! dumped apart.
 
-use crate::contender::Contender;
+use crate::cell::Cell;
 use std::fs;
 use std::hint::black_box;
 use std::io::{BufRead, BufReader};
@@ -29,14 +29,14 @@ fn counted(cell: &mut dyn FnMut()) {
     black_box(());
 }
 
-/// The child's side: every cell, then its empty loop.
-pub(crate) fn child(contenders: &mut [Contender]) {
-    for c in contenders {
+/// The child's side: every cell, then its empty loop; a line for each.
+pub(crate) fn child<'a>(cells: impl Iterator<Item = &'a mut Cell>) {
+    for cell in cells {
         // Once before, so that lazily bound symbols are not billed to a cell.
-        (c.cell.run)();
-        counted(&mut *c.cell.run);
-        counted(&mut *c.cell.empty);
-        println!("{}", c.name);
+        (cell.run)();
+        counted(&mut *cell.run);
+        counted(&mut *cell.empty);
+        println!("counted");
     }
 }
 
@@ -49,8 +49,8 @@ impl Drop for Scratch {
     }
 }
 
-/// Mean instructions of a call of each contender; `step` is told of each.
-pub(crate) fn counts(contenders: &[Contender], step: impl Fn()) -> Result<Vec<f64>, Missing> {
+/// Mean instructions of a call of each cell, of which this is told the calls; `step` hears of each.
+pub(crate) fn counts(calls: &[u64], step: impl Fn()) -> Result<Vec<f64>, Missing> {
     if let Err(e) = Command::new("valgrind").arg("--version").output() {
         return Err(Missing::Skipped(format!(
             "valgrind does not start ({e}); `apt install valgrind`"
@@ -88,13 +88,13 @@ pub(crate) fn counts(contenders: &[Contender], step: impl Fn()) -> Result<Vec<f6
             String::from_utf8_lossy(&end.stderr)
         )));
     }
-    contenders
+    calls
         .iter()
         .enumerate()
-        .map(|(i, c)| {
+        .map(|(i, &calls)| {
             let total = summary(&scratch.0, 2 * i + 1)?;
             let empty = summary(&scratch.0, 2 * i + 2)?;
-            Ok((total - empty) / c.cell.calls as f64)
+            Ok((total - empty) / calls as f64)
         })
         .collect()
 }

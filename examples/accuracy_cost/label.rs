@@ -32,9 +32,21 @@ impl Rect {
     }
 }
 
-/// Draws the marks with their words within `frame` (left, top, right, bottom).
-pub(crate) fn draw(area: &Area, marks: &[Mark], frame: (f64, f64, f64, f64)) -> Drawn {
+/// Draws the marks with their words within `frame` (left, top, right, bottom), clear of a path of
+/// upright and level `steps`.
+pub(crate) fn draw(
+    area: &Area,
+    marks: &[Mark],
+    steps: &[(f64, f64)],
+    frame: (f64, f64, f64, f64),
+) -> Drawn {
     let mut taken: Vec<Rect> = marks.iter().map(|m| around(m, 5.0)).collect();
+    taken.extend(steps.windows(2).map(|ends| Rect {
+        left: ends[0].0.min(ends[1].0) - 1.0,
+        top: ends[0].1.min(ends[1].1) - 1.0,
+        right: ends[0].0.max(ends[1].0) + 1.0,
+        bottom: ends[0].1.max(ends[1].1) + 1.0,
+    }));
     let mut order: Vec<&Mark> = marks.iter().collect();
     // Ours first: they get the nearest places.
     order.sort_by_key(|m| !m.ours);

@@ -51,7 +51,7 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let done = match &args.task {
         Some(Task::CountCells) => {
-            count::child(&mut catalog::all());
+            count::child(catalog::Counted::new().cells());
             Ok(())
         }
         Some(Task::DiskQuantile { input, values }) => {

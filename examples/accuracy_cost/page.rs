@@ -26,14 +26,22 @@ const OPERATIONS: [&str; 15] = [
     "sample_around",
 ];
 
+/// What holds for all figures.
+pub(crate) struct About {
+    pub(crate) machine: Machine,
+    /// Instructions of the generator's `next_u32` and `next_u64`.
+    pub(crate) generator: [Option<f64>; 2],
+    /// Why there are no instructions.
+    pub(crate) skipped: Option<String>,
+}
+
 pub(crate) fn markdown(
     rows: &[Row],
     scipy: Option<&Scipy>,
-    machine: &Machine,
-    skipped: Option<&str>,
+    about: &About,
 ) -> Result<String, std::fmt::Error> {
     let mut out = String::new();
-    preface(&mut out, machine, skipped)?;
+    preface(&mut out, about)?;
     let laws = distinct(rows, |r| &r.law);
     let types = distinct_ours(rows);
     quickest(&mut out, rows, &laws, &types)?;
@@ -50,7 +58,11 @@ pub(crate) fn markdown(
     Ok(out)
 }
 
-fn preface(out: &mut String, machine: &Machine, skipped: Option<&str>) -> std::fmt::Result {
+fn preface(out: &mut String, about: &About) -> std::fmt::Result {
+    let machine = &about.machine;
+    let [single, double] = about
+        .generator
+        .map(|n| n.map_or("–".to_owned(), |n| format!("{n:.0}")));
     writeln!(
         out,
         "# What accuracy costs\n\n\
@@ -61,8 +73,8 @@ fn preface(out: &mut String, machine: &Machine, skipped: Option<&str>) -> std::f
          \x20 the worse of cos θ and sin θ. *Exhaustive*: every number of the format; *observed (n)*: n of them.\n\
          * **instr.**: instructions of a call by callgrind, exact and repeatable on one build: the mean over\n\
          \x20 510 inputs, a third of them by decade, a third even, a third crowding at the ends; less an empty\n\
-         \x20 loop. `sample` is the mean of {DRAWS} draws and includes `rand_pcg::Pcg32`. Peers on `std` run the\n\
-         \x20 C library's functions as it chooses them for this processor.\n\
+         \x20 loop. `sample` is the mean of {DRAWS} draws and includes `rand_pcg::Pcg32`, of which a `next_u32` is\n\
+         \x20 {single} and a `next_u64` {double}. Peers on `std` run the C library's functions as it chooses them for this processor.\n\
          * **time**: only as a ratio within this run: to the plain type of the same format, or of our types\n\
          \x20 to a peer. The quickest of {ROUNDS} interleaved rounds over even inputs in random order, the loop and\n\
          \x20 the generator included. It is good to some percent, and no more.\n\
@@ -74,7 +86,7 @@ fn preface(out: &mut String, machine: &Machine, skipped: Option<&str>) -> std::f
          \x20 1 and more means that nothing of the value is left.",
         machine.target, machine.compiler, machine.flags
     )?;
-    if let Some(reason) = skipped {
+    if let Some(reason) = &about.skipped {
         writeln!(out, "\nSKIPPED: instructions: {reason}.")?;
     }
     writeln!(

@@ -16,7 +16,7 @@ const TOP: f64 = 64.0;
 /// The plot inside a panel: left, top, right, bottom.
 const FRAME: (f64, f64, f64, f64) = (62.0, 40.0, 438.0, 286.0);
 /// log₂ of the errors shown; what is beyond stands at the edge.
-const ERRORS: (f64, f64) = (-56.0, 2.0);
+const ERRORS: (f64, f64) = (-56.0, 4.0);
 
 /// Colour of a contender: by format, ours apart from the peers.
 pub(crate) fn color(ours: bool, format: &str) -> RGBColor {
@@ -80,17 +80,16 @@ fn panel(area: &Area, points: &[(&Contender, &Row)]) -> Drawn {
     let shown: Vec<(&Contender, f64, f64)> = points
         .iter()
         .filter_map(|(c, r)| Some((*c, r.instructions?, r.max_relative?)))
-        .map(|(c, n, e)| (c, n.max(1.0).log10(), e.log2().clamp(ERRORS.0, ERRORS.1)))
+        .map(|(c, n, e)| (c, n.max(1.0).log10(), e.log2().clamp(ERRORS.0, 0.0)))
         .collect();
     let ends = |f: fn(f64, f64) -> f64, start| shown.iter().map(|p| p.1).fold(start, f);
     let (least, most) = (
         ends(f64::min, f64::INFINITY) - 0.1,
         ends(f64::max, 0.0) + 0.1,
     );
-    let ticks = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0];
-    let ticks = ticks.iter().chain(&[1e3, 2e3, 5e3, 1e4, 2e4, 5e4]);
-    let ticks: Vec<f64> = ticks
-        .map(|n| f64::log10(*n))
+    let ticks: Vec<f64> = (0..5)
+        .flat_map(|e| [1.0, 1.5, 2.0, 3.0, 5.0, 7.0].map(|m| m * 10f64.powi(e)))
+        .map(f64::log10)
         .filter(|n| (least..most).contains(n))
         .collect();
     let x = Axis::new(least..most, ticks, |n| format!("{:.0}", 10f64.powf(n)));
@@ -124,7 +123,8 @@ fn panel(area: &Area, points: &[(&Contender, &Row)]) -> Drawn {
         .x_desc("instructions of a call")
         .y_desc("relative error")
         .draw()?;
-    chart.draw_series([PathElement::new(front(&shown), line(MUTED, 1.2))])?;
+    let front = front(&shown);
+    chart.draw_series([PathElement::new(front.clone(), line(MUTED, 1.2))])?;
     let place = |n: f64, e: f64| {
         let x = FRAME.0 + (n - least) / (most - least) * (FRAME.2 - FRAME.0);
         let y = FRAME.3 - (e - ERRORS.0) / (ERRORS.1 - ERRORS.0) * (FRAME.3 - FRAME.1);
@@ -143,7 +143,8 @@ fn panel(area: &Area, points: &[(&Contender, &Row)]) -> Drawn {
             }
         })
         .collect();
-    label::draw(area, &marks, FRAME)
+    let steps: Vec<(f64, f64)> = front.iter().map(|&(n, e)| place(n, e)).collect();
+    label::draw(area, &marks, &steps, FRAME)
 }
 
 /// Steps along the points that no other beats in both.

@@ -11,7 +11,7 @@ use plotters::prelude::*;
 use std::error::Error;
 
 const COLUMNS: usize = 3;
-const PANEL: (f64, f64) = (450.0, 340.0);
+const PANEL: (f64, f64) = (450.0, 362.0);
 const TOP: f64 = 66.0;
 /// Decades of u shown: all that f32 has; f64 goes on as it stands there.
 const DECADES: (f64, f64) = (-38.0, 0.0);
@@ -56,9 +56,9 @@ pub(crate) fn draw(
         (TOP + PANEL.1 * rows as f64) as u32,
     );
     svg(size, "Relative error against the uniform number", |area| {
-        let title = "Largest relative error of (cos θ, sin θ) in each decade of p, the distance of u from 0 or 1";
+        let title = "Largest relative error of (cos θ, sin θ) in each decade of p = min(u, 1 − u)";
         area.draw(&Text::new(title, (px(20.0), px(14.0)), bold(INK, 17.0)))?;
-        let words = "coslobe in bold lines. Where a sampler has no other digits than its own uniform’s, it ends there. 1: nothing of the value is left.";
+        let words = "coslobe, which takes either tail, in bold. Peers take u alone, which nears 1 by 2⁻²⁴ (f64: 2⁻⁵³) at most: further left they are judged near u = 0 only. At 1 nothing of the value is left.";
         area.draw(&Text::new(words, (px(20.0), px(42.0)), text(MUTED, 12.0)))?;
         for (i, law) in laws.iter().enumerate() {
             let left = PANEL.0 * (i % COLUMNS) as f64;
@@ -137,7 +137,7 @@ fn panel(area: &Area, curves: &[Curve]) -> Drawn {
         .margin_top(px(40.0))
         .margin_right(px(14.0))
         .margin_left(px(8.0))
-        .margin_bottom(px(64.0))
+        .margin_bottom(px(86.0))
         .x_label_area_size(px(38.0))
         .y_label_area_size(px(56.0))
         .build_cartesian_2d(x, y)?;
@@ -161,7 +161,7 @@ fn panel(area: &Area, curves: &[Curve]) -> Drawn {
     // Below the plot, two beside each other.
     for (i, curve) in curves.iter().enumerate() {
         let x = 62.0 + 190.0 * (i % 2) as f64;
-        let y = 278.0 + 15.0 * (i / 2) as f64;
+        let y = 283.0 + 15.0 * (i / 2) as f64;
         let words = format!("— {}", curve.name);
         area.draw(&Text::new(words, (px(x), px(y)), text(curve.color, 11.5)))?;
     }

@@ -1,7 +1,7 @@
 //! The whole study: measures, then writes all files at once.
 
 use crate::args::Args;
-use crate::catalog;
+use crate::catalog::Counted;
 use crate::contender::Contender;
 use crate::count::{Missing, counts};
 use crate::error_half;
@@ -28,16 +28,19 @@ pub(crate) fn run(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
     output::check(&args.out)?;
     let scipy = scipy::read(&args.out.join("scipy.csv"))?;
     let judged = our_errors(args)?;
-    let mut list = catalog::all();
+    let mut all = Counted::new();
 
-    let progress = bar("instructions", list.len() as u64);
-    let counted = counts(&list, || progress.inc(1));
+    let calls = all.calls();
+    let progress = bar("instructions", calls.len() as u64);
+    let counted = counts(&calls, || progress.inc(1));
     progress.finish_and_clear();
     let (counts, skipped) = match counted {
         Ok(counts) => (counts.into_iter().map(Some).collect(), None),
-        Err(Missing::Skipped(reason)) => (vec![None; list.len()], Some(reason)),
+        Err(Missing::Skipped(reason)) => (vec![None; calls.len()], Some(reason)),
         Err(Missing::Failed(e)) => return Err(e.into()),
     };
+    let mut list = all.list;
+    let (counts, generator) = counts.split_at(list.len());
     let progress = bar("time", list.len() as u64);
     let times = times(&mut list, || progress.inc(1));
     progress.finish_and_clear();
@@ -57,8 +60,12 @@ pub(crate) fn run(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
     let rows = rows(&list, counts, &times, &own, &judged);
     let mut staging = output::Staging::new(&args.out)?;
     staging.add("accuracy_cost.csv".to_owned(), &csv(&rows)?)?;
-    let machine = Machine::here();
-    let text = page::markdown(&rows, scipy.as_ref(), &machine, skipped.as_deref())?;
+    let about = page::About {
+        machine: Machine::here(),
+        generator: [generator[0], generator[1]],
+        skipped: skipped.clone(),
+    };
+    let text = page::markdown(&rows, scipy.as_ref(), &about)?;
     staging.add("accuracy_cost.md".to_owned(), &text)?;
     match &skipped {
         Some(reason) => eprintln!("SKIPPED: instructions and accuracy_cost.svg: {reason}"),
@@ -87,7 +94,7 @@ fn our_errors(args: &Args) -> Result<HashMap<Key, Error>, String> {
 
 fn rows(
     list: &[Contender],
-    counts: Vec<Option<f64>>,
+    counts: &[Option<f64>],
     times: &[f64],
     own: &[Option<Errors>],
     judged: &HashMap<Key, Error>,
@@ -102,7 +109,7 @@ fn rows(
     let measured = list.iter().zip(times).zip(counts).zip(own);
     measured
         .map(|(((c, time), count), own)| {
-            let mut row = Row::new(c, count, time / plain(c));
+            let mut row = Row::new(c, *count, time / plain(c));
             if let Some(error) = judged.get(&row.key()).filter(|_| c.ours) {
                 row.set(error.clone());
             }

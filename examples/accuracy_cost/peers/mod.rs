@@ -79,6 +79,7 @@ where
     F: Fn(T, T) -> [T; 3] + Copy + 'static,
 {
     type Out = [T; 3];
+    #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         let u = rng.random();
         (self.0)(u, rng.random())
@@ -115,6 +116,7 @@ where
     F: Fn(T) -> [T; 2] + Copy + 'static,
 {
     type Out = [T; 2];
+    #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
         (self.0)(rng.random())
     }

@@ -48,6 +48,7 @@ where
     [T; N]: Default,
 {
     type Out = [T; N];
+    #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; N] {
         let mut d = self.0.0.sample(rng);
         d[1] = d[1] + T::round(1.0);

@@ -30,6 +30,7 @@ where
     StandardUniform: Distribution<T>,
 {
     type Out = [T; 3];
+    #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         loop {
             let [x, z, y] = UnitSphere.sample(rng);
