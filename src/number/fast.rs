@@ -8,6 +8,7 @@ use super::tier::{Holds, Margin, Tier};
 use crate::kernel::fast::{angle, kepler, power, root, uniform};
 use crate::kernel::pair::Pair;
 use crate::kernel::table::Constants;
+use crate::kernel::trig;
 use crate::kernel::turn::into_quadrant;
 use crate::{CosSin, Tails};
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -171,6 +172,13 @@ fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
     }
 }
 
+/// c·eᵃ where eᵃ alone would leave the range of the format.
+#[cold]
+fn far_exp_times(a: f32, c: Fast<f32>) -> Fast<f32> {
+    let half = Fast(power::exp(a * 0.5));
+    (c * half) * half
+}
+
 const fn constant(pair: Pair<f32>) -> Fast<f32> {
     Fast(pair.hi)
 }
@@ -244,9 +252,11 @@ impl Kernel for Fast<f32> {
     fn at_angle(theta: Self) -> CosSin<Self> {
         fast(angle::sin_cos(theta.0))
     }
+    /// By `f32`'s kernel: a power multiplies the relative error of the cosine.
     #[inline(always)]
     fn at_angle_fine(theta: Self) -> CosSin<Self> {
-        Self::at_angle(theta)
+        let CosSin { cos, sin } = trig::at_angle(theta.0);
+        fast((cos.value(), sin.value()))
     }
     #[inline(always)]
     fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
@@ -283,11 +293,20 @@ impl Kernel for Fast<f32> {
     }
     #[inline(always)]
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
-        k * Self::ln_cos(at)
+        if at.sin.0 < 1e-15 {
+            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
+            -(k * at.sin * at.sin * Self::HALF)
+        } else {
+            k * Self::ln_cos(at)
+        }
     }
     #[inline(always)]
     fn exp_times(a: Self, c: Self) -> Self {
-        c * Fast(power::exp(a.0))
+        if a.0.abs() < 86.0 {
+            c * Fast(power::exp(a.0))
+        } else {
+            far_exp_times(a.0, c)
+        }
     }
     #[inline(always)]
     fn one_minus_exp(a: Self) -> Self {
@@ -295,10 +314,17 @@ impl Kernel for Fast<f32> {
     }
     #[inline(always)]
     fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
-        let a = Fast(power::ln_upper(p.lower().0, p.upper().0)) / n;
+        let log = Fast(power::ln_upper(p.lower().0, p.upper().0));
+        let a = log / n;
+        let sin = if -a.0 < 1e-30 {
+            // sin²θ = −2a, which for large n underflows before its root does.
+            Scalar::sqrt(-(log + log)) / Scalar::sqrt(n)
+        } else {
+            Scalar::sqrt(Self::one_minus_exp(a + a))
+        };
         CosSin {
-            cos: Fast(power::exp(a.0)),
-            sin: Scalar::sqrt(Self::one_minus_exp(a + a)),
+            cos: Self::exp_times(a, Self::ONE),
+            sin,
         }
     }
 }

@@ -3,9 +3,6 @@
 //! A polynomial is evaluated in 32-bit integers where its argument is one already (a random word, a
 //! significand), in `f32` where the argument is a float: without a floating-point unit an integer
 //! step is some thirty times cheaper, with one the conversion would cost as much as it saves.
-//!
-//! Subnormal arguments of a root or logarithm count as if 2⁻¹²⁷(1 + f): the result is finite, of the
-//! right sign and in order, but not accurate.
 
 pub(crate) mod angle;
 pub(crate) mod fixed;

@@ -4,7 +4,7 @@
 //! underflows), so the logarithm has 2⁻²⁰·⁷, eight bits more than the result needs.
 
 use super::fixed::{horner, leading_31};
-use super::root::unusual;
+use super::root::{UP, unusual};
 use super::table::{EXP2, EXP2_M1, LN};
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
@@ -27,6 +27,8 @@ fn ln_of_unusual(x: f32) -> f32 {
         f32::NEG_INFINITY
     } else if x < 0.0 {
         f32::NAN
+    } else if x < f32::MIN_POSITIVE {
+        ln(x * UP) - 24.0 * LN_2
     } else {
         x
     }

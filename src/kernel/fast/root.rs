@@ -6,15 +6,26 @@
 use super::fixed::FixedPoint;
 use super::table::{CBRT, FOURTH_ROOT, SQRT};
 
-/// Neither normal nor subnormal and positive: ±0, ∞, NaN, or negative.
+/// Not normal and positive: subnormal, ±0, ∞, NaN, or negative.
 #[inline(always)]
 pub(crate) const fn unusual(bits: u32) -> bool {
-    bits.wrapping_sub(1) >= f32::INFINITY.to_bits() - 1
+    const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
+    bits.wrapping_sub(LEAST) >= f32::INFINITY.to_bits() - LEAST
 }
 
+/// 2²⁴: makes a subnormal number normal.
+pub(crate) const UP: f32 = 16_777_216.0;
+
+/// `down` is `root`(2⁻²⁴).
 #[cold]
-fn of_unusual(x: f32) -> f32 {
-    if x < 0.0 { f32::NAN } else { x }
+fn of_unusual(x: f32, root: fn(f32) -> f32, down: f32) -> f32 {
+    if x < 0.0 {
+        f32::NAN
+    } else if x > 0.0 && x < f32::MIN_POSITIVE {
+        root(x * UP) * down
+    } else {
+        x
+    }
 }
 
 /// The root of 1 + f times `part` (Q15), with the biased exponent `e`; f from the significand of `bits`.
@@ -31,7 +42,7 @@ fn assemble<const N: usize>(bits: u32, shape: &FixedPoint<N>, part: u32, e: u32)
 pub(crate) fn sqrt(x: f32) -> f32 {
     let bits = x.to_bits();
     if unusual(bits) {
-        return of_unusual(x);
+        return of_unusual(x, sqrt, 1.0 / 4096.0);
     }
     let n = (bits >> 23) + 127;
     let part = 32768 + 13573 * (n & 1); // 2^(0, 1/2) in Q15
@@ -43,7 +54,7 @@ pub(crate) fn sqrt(x: f32) -> f32 {
 pub(crate) fn cbrt(x: f32) -> f32 {
     let bits = x.to_bits();
     if unusual(bits) {
-        return of_unusual(x);
+        return of_unusual(x, cbrt, 1.0 / 256.0);
     }
     let n = (bits >> 23) + 254;
     let third = (n * 171) >> 9; // n / 3 for n ≤ 509
@@ -57,7 +68,7 @@ pub(crate) fn cbrt(x: f32) -> f32 {
 pub(crate) fn fourth_root(x: f32) -> f32 {
     let bits = x.to_bits();
     if unusual(bits) {
-        return of_unusual(x);
+        return of_unusual(x, fourth_root, 1.0 / 64.0);
     }
     let n = (bits >> 23) + 381;
     let rest = n & 3;

@@ -49,7 +49,7 @@ fn special_values() {
     for f in [root::sqrt, root::cbrt, root::fourth_root] {
         assert_eq!((f(0.0), f(inf)), (0.0, inf));
         assert!(f(-0.0).is_sign_negative() && f(-1.0).is_nan() && f(-inf).is_nan());
-        // Subnormals: in order between 0 and the least normal number.
+        // Subnormals lie in order between 0 and the least normal number.
         let (least, most) = (f(f32::from_bits(1)), f(f32::from_bits(0x007F_FFFF)));
         assert!(0.0 < least && least < most && most <= f(TINY) * 1.001);
     }
