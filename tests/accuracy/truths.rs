@@ -152,11 +152,11 @@ impl<F: Format> Truths<F> {
                 at_angle(f, &at, &paired, cos)[k]
             };
             for (k, want) in at_angle(&f, &a.at, &a.paired, cos).into_iter().enumerate() {
+                let terms = if k == 1 { f.ln_pdf_terms() } else { 0.0 };
                 if runs_out::<F>(law, a.theta) && want.near().is_finite() {
-                    self.0[k].decide(i, want.near(), f.ln_pdf_terms(), fine(k));
+                    self.0[k].decide(i, want.near(), terms, fine(k));
                     continue;
                 }
-                let terms = if k == 1 { f.ln_pdf_terms() } else { 0.0 };
                 self.0[k].put(i, want, terms, || fine(k));
             }
             if let Id::CosPower(_) = law {
