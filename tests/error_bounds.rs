@@ -8,6 +8,7 @@ use accuracy::inputs::exponents;
 use accuracy::measure::{Input, judge, sample, sweep};
 use accuracy::monotone;
 use accuracy::reference::{self, Direction, Id};
+use accuracy::rows::{from_json, measure_all, to_json};
 use accuracy::subject::{Subject, Tiers};
 use accuracy::tally::Tally;
 
@@ -36,7 +37,7 @@ fn f32_strided() {
 }
 
 #[test]
-#[ignore = "opt-in, an hour: cargo test --release --test error_bounds -- --ignored"]
+#[ignore = "opt-in, half an hour for each number type: cargo test --release --test error_bounds -- --ignored"]
 fn f32_exhaustive() {
     swept::<f32>(&Id::FIXED, 1);
 }
@@ -112,4 +113,13 @@ fn quantiles_are_monotone_and_odd() {
 #[ignore = "opt-in, minutes: cargo test --release --test error_bounds -- --ignored"]
 fn f32_quantiles_are_monotone_everywhere() {
     never_steps_back(|s| monotone::strided(s, 1), f32::tiers);
+}
+
+/// Threads may finish in any order; the table is the same, and JSON keeps it.
+#[test]
+fn measuring_twice_gives_the_same_rows() {
+    let rows = measure_all(100_003, 3000, |_| ());
+    assert_eq!(rows, measure_all(100_003, 3000, |_| ()));
+    let text = to_json(&rows).expect("JSON");
+    assert_eq!(from_json(&text).expect("rows"), rows);
 }

@@ -4,9 +4,10 @@ mod accuracy;
 
 use accuracy::bounds::broken;
 use accuracy::measure::{Input, sweep};
+use accuracy::op::Op;
 use accuracy::reference::Id;
 use accuracy::spoiled::{Altered, Spoiled};
-use accuracy::subject::{Op, Subject, Tier};
+use accuracy::subject::{Subject, Tier};
 use accuracy::tally::{Stat, Tally};
 use coslobe::{CircleShell, CosSin, Law, SphereShell};
 

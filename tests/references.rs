@@ -8,7 +8,7 @@ use accuracy::inputs::{exponents, stratified};
 use accuracy::long::Long;
 use accuracy::measure::Input;
 use accuracy::reference::Id;
-use accuracy::truth::{runs_out, values};
+use accuracy::truths::{runs_out, values};
 use accuracy::wide::Wide;
 use rayon::prelude::*;
 

@@ -1,9 +1,10 @@
 //! The one table of allowed errors: `docs/bounds.md`, which the rustdoc shows too.
 
 use super::format::Format;
+use super::op::OPERATIONS;
 #[cfg(test)]
 use super::reference::Id;
-use super::subject::{OPERATIONS, Subject};
+use super::subject::Subject;
 use super::tally::{Stat, Tally};
 
 const TABLE: &str = include_str!("../../docs/bounds.md");

@@ -36,8 +36,11 @@ impl Double {
 
     /// 2ⁿ·self; rounds only where it underflows.
     pub fn scale(self, n: i32) -> Self {
+        // Beyond this all is 0 or infinite.
+        let n = n.clamp(-2000, 2000);
         let half = n / 2;
-        let (a, b) = (2f64.powi(half), 2f64.powi(n - half));
+        let power = |n: i32| f64::from_bits(((n + 1023) as u64) << 52);
+        let (a, b) = (power(half), power(n - half));
         Double {
             hi: self.hi * a * b,
             lo: self.lo * a * b,

@@ -2,9 +2,11 @@
 
 use super::format::Format;
 use super::inputs::stratified;
-use super::subject::{AT_ANGLE, Subject};
+use super::op::AT_ANGLE;
+use super::subject::Subject;
 use super::tally::{Place, Tally};
-use super::truth::{Angle, BLOCK, Slot, Truth, Truths, angle_slots, tail_slots};
+use super::truth::{BLOCK, Truth};
+use super::truths::{Angle, Slot, Truths, angle_slots, tail_slots};
 use super::wide::HALF_PI;
 use rayon::prelude::*;
 
@@ -68,12 +70,11 @@ impl<F: Format> Bench<F> {
         let mut law = None;
         for (s, row) in subjects.iter().zip(&mut tally.0) {
             let anew = law.replace(s.id) != Some(s.id);
-            let mut judge = |i: usize, slot: Slot, got: &mut [F], want: &Truth<F>| {
+            let mut judge = |slot: Slot, got: &mut [F], want: &Truth<F>| {
                 let got = &mut got[..x.len()];
                 if slot.negated {
                     got.iter_mut().for_each(|y| *y = -*y);
                 }
-                debug_assert!(i < AT_ANGLE.len());
                 let stat = &mut row[slot.op as usize];
                 if together {
                     stat.judge(x, got, want, first);
@@ -89,7 +90,7 @@ impl<F: Format> Bench<F> {
                     s.law.angles(x, &pairs, &mut self.got);
                     for (i, slot) in angle_slots(s.id, s.solid) {
                         let want = self.truths.of(&slot);
-                        judge(i, slot, &mut self.got[i], want);
+                        judge(slot, &mut self.got[i], want);
                     }
                 }
                 Input::Tail => {
@@ -99,7 +100,7 @@ impl<F: Format> Bench<F> {
                     s.law.tails(x, &mut self.got);
                     for (i, slot) in tail_slots(s.id) {
                         let want = self.truths.of(&slot);
-                        judge(i, slot, &mut self.got[i], want);
+                        judge(slot, &mut self.got[i], want);
                     }
                 }
             }

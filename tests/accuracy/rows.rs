@@ -3,8 +3,9 @@
 use super::format::Format;
 use super::inputs::exponents;
 use super::measure::{Input, sample, sweep};
+use super::op::OPERATIONS;
 use super::reference::Id;
-use super::subject::{OPERATIONS, Subject, Tiers};
+use super::subject::{Subject, Tiers};
 use super::tally::{BINS, Stat, Tally};
 use serde::{Deserialize, Serialize};
 

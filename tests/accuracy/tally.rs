@@ -1,7 +1,7 @@
 //! Statistics of errors: kept by subject and operation, merged over threads.
 
 use super::format::Format;
-use super::subject::OPERATIONS;
+use super::op::OPERATIONS;
 use super::truth::Truth;
 use super::wide::Wide;
 
@@ -81,8 +81,7 @@ impl Stat {
         let (mut news, mut correct) = (false, 0);
         for i in 0..n {
             let error = value[i].minus(got[i].lifted(lift[i])).abs();
-            // So written that NaN is news.
-            news |= !(error * per_ulp[i] <= ulps) | !(error * per_value[i] <= relative);
+            news |= exceeds(error * per_ulp[i], ulps) | exceeds(error * per_value[i], relative);
             correct += u64::from(got[i] == nearest[i]);
         }
         self.tried += n as u64;
@@ -172,6 +171,12 @@ impl Stat {
             *a = a.max(b);
         }
     }
+}
+
+/// Above the limit, or NaN.
+#[inline(always)]
+fn exceeds(x: f64, limit: f64) -> bool {
+    (x > limit) | x.is_nan()
 }
 
 /// Statistics by subject and operation.

@@ -16,13 +16,14 @@ fn two(x: f64) -> Double {
     Double::from(x)
 }
 
-/// eʳ − 1 for |r| ≤ 1/2.
+/// eʳ − 1 for |r| ≤ 1/2: the series at r/8, then three times e²ˣ − 1 = (eˣ − 1)(eˣ + 1).
 pub fn small_exp_m1(r: Double) -> Double {
-    let terms = if r.hi.abs() < 1e-6 { 6 } else { 25 };
+    let (halvings, terms) = if r.hi.abs() < 1e-6 { (0, 6) } else { (3, 16) };
+    let x = r.scale(-halvings);
     let sum = (1..terms)
         .rev()
-        .fold(two(0.0), |sum, n| sum * r + Double::inverse_factorial(n));
-    sum * r
+        .fold(two(0.0), |sum, n| sum * x + Double::inverse_factorial(n));
+    (0..halvings).fold(sum * x, |power, _| power * (power + two(2.0)))
 }
 
 /// (n, eʳ) with x = n ln 2 + r.
@@ -127,7 +128,9 @@ impl Wide for Double {
         }
         let t = self * self;
         let terms = if self.hi < 1e-3 { 6 } else { Self::TERMS };
-        (self * alternating(t, 1, terms), alternating(t, 0, terms))
+        let sin = self * alternating(t, 1, terms);
+        // At most 0.9, so that nothing cancels.
+        (sin, (two(1.0) - sin * sin).root())
     }
     fn from_end(a: f64) -> Self {
         let d = Double::sum(HALF_PI[0], -a);
