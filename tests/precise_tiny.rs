@@ -73,19 +73,31 @@ fn ulp(x: f64) -> f64 {
     f64::from_bits(bits + 1) - f64::from_bits(bits)
 }
 
-fn law(name: &str) -> (Box<dyn Law<P>>, Option<Box<dyn Fn(P) -> P>>) {
-    fn spatial(
-        law: impl Spatial<P> + Copy + 'static,
-    ) -> (Box<dyn Law<P>>, Option<Box<dyn Fn(P) -> P>>) {
-        (
-            Box::new(law),
-            Some(Box::new(move |x| law.pdf_solid_angle(x))),
-        )
+/// A law, and its density per steradian if it has one.
+struct Subject {
+    law: Box<dyn Law<P>>,
+    solid: Option<Box<dyn Fn(P) -> P>>,
+}
+
+fn planar(law: impl Law<P> + 'static) -> Subject {
+    Subject {
+        law: Box::new(law),
+        solid: None,
     }
+}
+
+fn spatial(law: impl Spatial<P> + Copy + 'static) -> Subject {
+    Subject {
+        law: Box::new(law),
+        solid: Some(Box::new(move |x| law.pdf_solid_angle(x))),
+    }
+}
+
+fn subject(name: &str) -> Subject {
     match name {
-        "Disk" => (Box::new(Disk), None),
-        "CircleShell" => (Box::new(CircleShell), None),
-        "CircleArc" => (Box::new(CircleArc), None),
+        "Disk" => planar(Disk),
+        "CircleShell" => planar(CircleShell),
+        "CircleArc" => planar(CircleArc),
         "Ball" => spatial(Ball),
         "SphereShell" => spatial(SphereShell),
         "Lambert" => spatial(Lambert),
@@ -100,7 +112,7 @@ fn law(name: &str) -> (Box<dyn Law<P>>, Option<Box<dyn Fn(P) -> P>>) {
 }
 
 fn call(row: &Row) -> f64 {
-    let (law, solid) = law(row.law);
+    let Subject { law, solid } = subject(row.law);
     let [x, y] = row.arguments;
     let at = CosSin { cos: x, sin: y };
     let got = match row.operation {

@@ -27,7 +27,7 @@ impl Holds<Precise<f32>> for Double {
     }
 }
 
-const GRID: Grid = Grid {
+pub(super) const GRID: Grid = Grid {
     digits: 24,
     least: -126,
     infinity: f32::INFINITY.to_bits() as u64,
@@ -62,6 +62,13 @@ fn decide<const N: usize>(fine: impl FnOnce() -> [Double; N]) -> [Precise<f32>; 
 }
 
 impl Real for Precise<f32> {}
+
+impl From<Precise<f32>> for f64 {
+    #[inline(always)]
+    fn from(x: Precise<f32>) -> f64 {
+        f64::from(x.0)
+    }
+}
 
 impl Tier for Precise<f32> {
     type Quick = f64;

@@ -26,7 +26,7 @@ impl Holds<Precise<f64>> for Double {
     }
 }
 
-const GRID: Grid = Grid {
+pub(super) const GRID: Grid = Grid {
     digits: 53,
     least: -1022,
     infinity: f64::INFINITY.to_bits(),
@@ -47,6 +47,13 @@ fn decide<const N: usize>(fine: impl FnOnce() -> [Scaled; N]) -> [Precise<f64>; 
 }
 
 impl Real for Precise<f64> {}
+
+impl From<Precise<f64>> for f64 {
+    #[inline(always)]
+    fn from(x: Precise<f64>) -> f64 {
+        x.0
+    }
+}
 
 impl Tier for Precise<f64> {
     type Quick = Double;

@@ -55,3 +55,77 @@ pub(super) fn is_moderate(x: f64) -> bool {
     let a = x.abs();
     low <= a && a <= high
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{f32, f64};
+    use super::*;
+    use crate::kernel::pair::Pair;
+
+    /// Significands with every kind of end: all zeros, a tie at any place, beside one, mixed.
+    fn significands() -> impl Iterator<Item = u64> {
+        (0..53).flat_map(|k| {
+            let tie = 1u64 << k >> 1;
+            [
+                tie,
+                tie + 1,
+                tie.wrapping_sub(1),
+                3 * tie,
+                0x9E37_79B9_7F4A_7C15 >> k,
+            ]
+            .map(|s| s & (u64::MAX >> 12))
+        })
+    }
+
+    /// The hardware rounds once: a product with a power of two, a conversion.
+    #[test]
+    fn one_word_rounds_as_the_hardware_does() {
+        for s in significands() {
+            let hi = f64::from_bits(1023 << 52 | s);
+            for n in -1022..=1023 {
+                let want = (hi * power_of_two(n)).to_bits();
+                assert_eq!(f64::GRID.nearest(Pair::exact(-hi), n), want, "{hi:e} {n}");
+                let want = ((hi * power_of_two(n)) as f32).to_bits();
+                assert_eq!(
+                    f32::GRID.nearest(Pair::exact(hi), n),
+                    want.into(),
+                    "{hi:e} {n}"
+                );
+            }
+            for below in 1..=70 {
+                // Halved exactly, then rounded by the last product.
+                let want = (hi * power_of_two(-below) * power_of_two(-1022)).to_bits();
+                let n = -1022 - below;
+                assert_eq!(f64::GRID.nearest(Pair::exact(hi), n), want, "{hi:e} {n}");
+            }
+        }
+        assert_eq!(
+            f64::GRID.nearest(Pair::exact(1.0), 1024),
+            f64::INFINITY.to_bits()
+        );
+        assert_eq!(
+            f64::GRID.nearest(Pair::exact(1.0), 1 << 26),
+            f64::INFINITY.to_bits()
+        );
+        assert_eq!(f64::GRID.nearest(Pair::exact(1.0), -(1 << 26)), 0);
+    }
+
+    /// A trailing word decides a tie and nothing else.
+    #[test]
+    fn the_trailing_word_decides_ties() {
+        let lo = power_of_two(-80);
+        for s in significands() {
+            let hi = f64::from_bits(1023 << 52 | s);
+            let at = |lo, n| f64::GRID.nearest(Pair { hi, lo }, n);
+            for n in -1080..-1022 {
+                let (down, middle, up) = (at(-lo, n), at(0.0, n), at(lo, n));
+                let dropped = (-1022 - n) as u32;
+                let tie = (s | 1 << 52) << (64 - dropped.min(63)) == 1 << 63;
+                assert_eq!(up - down, u64::from(tie), "{hi:e} {n}");
+                assert!(middle == up || middle == down);
+            }
+            assert_eq!(at(lo, 0), hi.to_bits());
+            assert_eq!(at(-lo, 0), hi.to_bits());
+        }
+    }
+}

@@ -184,7 +184,8 @@ impl Kernel for Scaled {
         if a.is_below(-DIGITS) {
             return -a;
         }
-        Self::of_double(-log_exp::exp_m1(a.double()))
+        // Of an exact 0, the positive one.
+        Self::of_double(log_exp::exp_m1(a.double())).abs()
     }
     fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
         let (lower, upper) = (p.lower(), p.upper());
