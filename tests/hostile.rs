@@ -3,7 +3,8 @@
 mod stats;
 
 use coslobe::{
-    CosSin, Law, Measure, Planar, PlanarPoint, Radius, Spatial, SpatialPoint, Tails, uniform,
+    CosSin, Law, Measure, Planar, PlanarPoint, Precise, Radius, Spatial, SpatialPoint, Tails,
+    uniform,
 };
 use stats::laws::{Claim, Float, Visitor, each};
 use stats::words::{Source, Words, hostile};
@@ -201,17 +202,29 @@ fn uniforms<T: Float>() {
     );
 }
 
+const F32_EXPONENTS: [f64; 7] = [0.0, 1e-30, 0.5, 7.3, 1e4, 1e12, f32::MAX as f64];
+const F64_EXPONENTS: [f64; 7] = [0.0, 1e-300, 0.5, 7.3, 1e4, 1e12, f64::MAX];
+
 #[test]
 fn hostile_generators_f32() {
     uniforms::<f32>();
-    each::<f32>(
-        &mut Hostile,
-        &[0.0, 1e-30, 0.5, 7.3, 1e4, 1e12, f32::MAX.into()],
-    );
+    each::<f32>(&mut Hostile, &F32_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_f64() {
     uniforms::<f64>();
-    each::<f64>(&mut Hostile, &[0.0, 1e-300, 0.5, 7.3, 1e4, 1e12, f64::MAX]);
+    each::<f64>(&mut Hostile, &F64_EXPONENTS);
+}
+
+#[test]
+fn hostile_generators_precise_f32() {
+    uniforms::<Precise<f32>>();
+    each::<Precise<f32>>(&mut Hostile, &F32_EXPONENTS);
+}
+
+#[test]
+fn hostile_generators_precise_f64() {
+    uniforms::<Precise<f64>>();
+    each::<Precise<f64>>(&mut Hostile, &F64_EXPONENTS);
 }

@@ -19,7 +19,8 @@ mod rand {
     use ::rand::RngExt;
     use ::rand::distr::Distribution;
     use coslobe::{
-        Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Planar, Real, Spatial, SphereShell,
+        Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Planar, Precise, Real, Spatial,
+        SphereShell,
     };
 
     /// With `Distribution`, `Planar` and `Spatial` all in scope this has to compile.
@@ -66,13 +67,15 @@ mod rand {
     fn a_distribution_has_the_bits_of_its_sampler() {
         every_law(CosPower::new(7.5f32).unwrap());
         every_law(CosPower::new(7.5f64).unwrap());
+        every_law(CosPower::new(Precise(7.5f32)).unwrap());
+        every_law(CosPower::new(Precise(7.5f64)).unwrap());
     }
 }
 
 #[cfg(feature = "serde")]
 mod serde {
     use ::serde::{Serialize, de::DeserializeOwned};
-    use coslobe::{Ball, CosPower, CosSin, Disk, Frame, Lambert, Law, Moments, Radius};
+    use coslobe::{Ball, CosPower, CosSin, Disk, Frame, Lambert, Law, Moments, Precise, Radius};
     use serde_json::{from_str, from_value, to_string, to_value};
 
     /// Through `Value`, which keeps every bit; serde_json's text may be an ulp off where it is read.
@@ -92,6 +95,7 @@ mod serde {
         round_trip::<Moments<f64>>(Ball.moments());
         for k in [0.0, 0.1, 64.0, 1e300] {
             round_trip(CosPower::new(k).unwrap());
+            round_trip(CosPower::new(Precise(k)).unwrap());
         }
         for rho in [f64::MIN_POSITIVE, 0.1, f64::MAX / 4.0] {
             round_trip(Radius::new(rho).unwrap());
@@ -208,7 +212,7 @@ mod heapless {
 mod defmt {
     use coslobe::{
         Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, ExponentError, Frame, Lambert,
-        Measure, Moments, NormalError, Radius, RadiusError, SphereShell, Tails,
+        Measure, Moments, NormalError, Precise, Radius, RadiusError, SphereShell, Tails,
     };
 
     /// Only its type is checked: running `Format` needs a logger, which a host has not.
@@ -221,6 +225,7 @@ mod defmt {
         is_format::<(CosPower<f32>, CosPower<f64>)>();
         is_format::<(CosSin<f32>, Tails<f64>, Moments<f32>)>();
         is_format::<(Radius<f32>, Frame<f32>, Measure)>();
+        is_format::<(Precise<f32>, CosPower<Precise<f64>>)>();
         is_format::<(ExponentError, RadiusError, NormalError)>();
     }
 }

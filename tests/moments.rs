@@ -1,7 +1,7 @@
 //! Exact moments against values computed apart (`tools/reference.py`).
 
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Moments, Real, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Moments, Precise, Real, SphereShell,
 };
 
 fn moments<T: Real>(law: &str, round: impl Fn(f64) -> T) -> Moments<T> {
@@ -61,11 +61,13 @@ fn agrees<T: Real>(epsilon: f64, round: impl Fn(f64) -> T, wide: impl Fn(T) -> f
 #[test]
 fn f64_moments() {
     agrees(f64::EPSILON, |x| x, |x: f64| x);
+    agrees(f64::EPSILON, Precise, |x: Precise<f64>| x.0);
 }
 
 #[test]
 fn f32_moments() {
     agrees(f64::from(f32::EPSILON), |x| x as f32, f64::from);
+    agrees(f64::from(f32::EPSILON), |x| Precise(x as f32), f64::from);
 }
 
 #[test]

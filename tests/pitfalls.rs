@@ -2,8 +2,8 @@
 #![allow(clippy::incompatible_msrv)] // the MSRV is the core's; tests run on newer toolchains
 
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Frame, Lambert, Law, Radius, Spatial, SpatialPoint,
-    SphereShell, Tails, balance_heuristic, power_heuristic,
+    Ball, CircleArc, CircleShell, CosSin, Disk, Frame, Lambert, Law, Precise, Radius, Spatial,
+    SpatialPoint, SphereShell, Tails, balance_heuristic, power_heuristic,
 };
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::SeedableRng;
@@ -68,6 +68,9 @@ fn the_disk_quantile_never_fails() {
         assert!(theta.abs() <= std::f64::consts::FRAC_PI_2, "{p:e}");
         let next = f64::from_bits(bits + (1 << 44)).min(1.0);
         assert!(Disk.quantile(next) >= theta, "{p:e}");
+        let precise = Disk.quantile(Precise(p));
+        assert!((precise.0 - theta).abs() <= 4.0 * f64::EPSILON, "{p:e}");
+        assert!(Disk.quantile(Precise(next)) >= precise, "{p:e}");
     }
 }
 
@@ -89,6 +92,9 @@ fn the_support_ends_at_the_true_pi_over_two() {
     assert!(Ball.pdf_solid_angle(FRAC_PI_2.next_down()) > 0.0);
     assert_eq!(Disk.ln_pdf(FRAC_PI_2), f32::NEG_INFINITY);
     assert!(Disk.pdf(std::f64::consts::FRAC_PI_2) > 0.0);
+    assert_eq!(Disk.pdf(Precise(FRAC_PI_2)).0, 0.0);
+    assert!(Disk.pdf(Precise(FRAC_PI_2.next_down())).0 > 0.0);
+    assert!(Disk.pdf(Precise(std::f64::consts::FRAC_PI_2)).0 > 0.0);
     assert!(
         Disk.pdf(Disk.quantile(0.0f32)) > 0.0,
         "a quantile is always inside"

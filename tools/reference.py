@@ -190,10 +190,6 @@ def write(path, arguments, rows):
                 f.write(f"{law},{operation},{bits(x)},{bits(hi)},{bits(lo)}\n")
 
 
-write("tests/reference/angles.csv", angles(), angle_rows)
-write("tests/reference/tails.csv", tails(), tail_rows)
-
-
 def moment_rows():
     """Closed forms in Arb where they exist; the angle's second moment for real k by quadrature."""
     from mpmath import mp, mpf, quad, cos, pi, gamma, log, sqrt
@@ -222,7 +218,10 @@ def moment_rows():
         yield name, "entropy", entropy
 
 
-with open("tests/reference/moments.csv", "w") as f:
-    f.write("# Written by tools/reference.py (mpmath, 50 digits): law,moment,value as the bits of an f64.\n")
-    for law, moment, value in moment_rows():
-        f.write(f"{law},{moment},{bits(float(value))}\n")
+if __name__ == "__main__":
+    write("tests/reference/angles.csv", angles(), angle_rows)
+    write("tests/reference/tails.csv", tails(), tail_rows)
+    with open("tests/reference/moments.csv", "w") as f:
+        f.write("# Written by tools/reference.py (mpmath, 50 digits): law,moment,value as the bits of an f64.\n")
+        for law, moment, value in moment_rows():
+            f.write(f"{law},{moment},{bits(float(value))}\n")

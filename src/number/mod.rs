@@ -8,6 +8,7 @@ pub(crate) mod kernel;
 pub(crate) mod native;
 mod precise;
 pub(crate) mod scalar;
+mod scaled;
 pub(crate) mod tier;
 
 pub use fast::Fast;

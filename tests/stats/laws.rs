@@ -1,8 +1,8 @@
 //! What each law claims, in `f64` closed forms that share nothing with the crate.
 
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Moments, PlanarPoint, Real,
-    Spatial, SpatialPoint, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Moments, PlanarPoint, Precise,
+    Real, Spatial, SpatialPoint, SphereShell,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -38,6 +38,22 @@ impl Float for f64 {
     }
     fn bits(self) -> u64 {
         self.to_bits()
+    }
+}
+
+impl<T: Float> Float for Precise<T>
+where
+    Precise<T>: Real + Into<f64>,
+{
+    const NAME: &'static str = "Precise";
+    const EPSILON: f64 = T::EPSILON;
+    const SMALLEST: Self = Precise(T::SMALLEST);
+    const LARGEST: Self = Precise(T::LARGEST);
+    fn of(x: f64) -> Self {
+        Precise(T::of(x))
+    }
+    fn bits(self) -> u64 {
+        self.0.bits()
     }
 }
 

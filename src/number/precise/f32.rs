@@ -1,6 +1,7 @@
 //! `Precise<f32>`: `f64` with a rounding test, double-double where it cannot decide.
 
 use super::Precise;
+use super::nearest::Grid;
 use crate::kernel::double::Double;
 use crate::kernel::pair::Pair;
 use crate::number::Real;
@@ -26,20 +27,19 @@ impl Holds<Precise<f32>> for Double {
     }
 }
 
-/// The `f32` nearest to hi + lo. The sum is first rounded to odd, so that the second rounding
-/// cannot meet a tie that is none.
+pub(super) const GRID: Grid = Grid {
+    digits: 24,
+    least: -126,
+    infinity: f32::INFINITY.to_bits() as u64,
+};
+
+/// The `f32` nearest to hi + lo.
 fn nearest_f32(x: Double) -> f32 {
-    let hi = if x.lo != 0.0 && x.hi.is_finite() && x.hi.to_bits() & 1 == 0 {
-        let away = (x.lo > 0.0) == (x.hi > 0.0);
-        f64::from_bits(if away {
-            x.hi.to_bits() + 1
-        } else {
-            x.hi.to_bits() - 1
-        })
+    if x.hi.is_normal() {
+        f32::from_bits(GRID.nearest(x, 0) as u32).copysign(x.hi as f32)
     } else {
-        x.hi
-    };
-    hi as f32
+        x.hi as f32
+    }
 }
 
 /// `y` as an `f32`, if all that lies within the error of `f64`'s formulas around it rounds alike.
@@ -62,6 +62,13 @@ fn decide<const N: usize>(fine: impl FnOnce() -> [Double; N]) -> [Precise<f32>; 
 }
 
 impl Real for Precise<f32> {}
+
+impl From<Precise<f32>> for f64 {
+    #[inline(always)]
+    fn from(x: Precise<f32>) -> f64 {
+        f64::from(x.0)
+    }
+}
 
 impl Tier for Precise<f32> {
     type Quick = f64;

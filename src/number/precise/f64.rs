@@ -1,27 +1,63 @@
-//! `Precise<f64>`: double-double throughout.
+//! `Precise<f64>`: double-double, with an exponent of its own where `f64`'s would not reach.
 
 use super::Precise;
+use super::nearest::{Grid, is_moderate};
 use crate::kernel::double::Double;
 use crate::kernel::pair::Pair;
 use crate::number::Real;
 use crate::number::f64::{parts_of_turn, power_of_two};
 use crate::number::kernel::Kernel;
+use crate::number::scalar::Scalar;
+use crate::number::scaled::Scaled;
 use crate::number::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
 impl Holds<Precise<f64>> for Double {
+    /// NaN for what is too small or too large to be multiplied with all digits: as the laws give NaN
+    /// for NaN, the quick result is then not taken.
     #[inline(always)]
     fn of(x: Precise<f64>) -> Double {
-        Pair::exact(x.0)
+        Pair::exact(if x.0 == 0.0 || is_moderate(x.0) {
+            x.0
+        } else {
+            f64::NAN
+        })
     }
+}
+
+pub(super) const GRID: Grid = Grid {
+    digits: 53,
+    least: -1022,
+    infinity: f64::INFINITY.to_bits(),
+};
+
+fn nearest_f64(x: Scaled) -> f64 {
+    let hi = x.part.hi;
+    if hi.is_finite() && hi != 0.0 {
+        f64::from_bits(GRID.nearest(x.part, x.exponent)).copysign(hi)
+    } else {
+        hi
+    }
+}
+
+#[cold]
+fn decide<const N: usize>(fine: impl FnOnce() -> [Scaled; N]) -> [Precise<f64>; N] {
+    fine().map(|x| Precise(nearest_f64(x)))
 }
 
 impl Real for Precise<f64> {}
 
+impl From<Precise<f64>> for f64 {
+    #[inline(always)]
+    fn from(x: Precise<f64>) -> f64 {
+        x.0
+    }
+}
+
 impl Tier for Precise<f64> {
     type Quick = Double;
-    type Work = Double;
+    type Work = Scaled;
     type Base = f64;
     type TailBits = u128;
     type TurnBits = u64;
@@ -29,10 +65,17 @@ impl Tier for Precise<f64> {
     #[inline]
     fn rounded<const N: usize>(
         _: Margin,
-        _: impl FnOnce() -> [Double; N],
-        fine: impl FnOnce() -> [Double; N],
+        quick: impl FnOnce() -> [Double; N],
+        fine: impl FnOnce() -> [Scaled; N],
     ) -> [Self; N] {
-        fine().map(|x| Precise(if x.hi.is_finite() { x.hi + x.lo } else { x.hi }))
+        let mut out = [Self::ZERO; N];
+        for (out, y) in out.iter_mut().zip(quick()) {
+            if !is_moderate(y.hi) {
+                return decide(fine);
+            }
+            *out = Precise(y.hi + y.lo);
+        }
+        out
     }
 
     #[inline]
@@ -69,7 +112,7 @@ impl Tier for Precise<f64> {
         CosSin::of_array(Self::rounded(
             Margin::Relative,
             || Double::at_quadrant(quadrant, x).to_array(),
-            || Double::at_quadrant(quadrant, x).to_array(),
+            || Scaled::at_quadrant(quadrant, Scaled::of_double(x)).to_array(),
         ))
     }
 }

@@ -2,6 +2,7 @@
 
 mod f32;
 mod f64;
+mod nearest;
 
 use super::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -11,7 +12,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// `Precise<f32>` is correctly rounded: every operation of the six fixed laws gives the `f32` nearest
 /// to the true value (of angles, the nearest in the support). It is computed in `f64` with a rounding
 /// test, and in double-double where the test cannot decide. `Precise<f64>` is computed in
-/// double-double throughout.
+/// double-double; where `f64`'s exponents do not reach, with an exponent of its own.
 ///
 /// Its own `+ − × ÷` are those of the format. Randomness as the plain format's, with the same
 /// uniforms: the `f32` sample is the `Precise<f32>` sample of the same words with a few more roundings.

@@ -1,0 +1,212 @@
+//! What the `Precise` types do with NaN, ∞, signed zeros and arguments outside the support: what the plain
+//! types do, to 16 places.
+
+use coslobe::{
+    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Precise, Real, Spatial,
+    SphereShell,
+};
+
+/// Numbers as their place in the format's order, −0 beside +0.
+trait Format: Real + PartialEq {
+    fn of(x: f64) -> Self;
+    /// `None` for NaN.
+    fn place(self) -> Option<i64>;
+    fn is_negative_zero(self) -> bool;
+}
+
+impl Format for f64 {
+    fn of(x: f64) -> f64 {
+        x
+    }
+    fn place(self) -> Option<i64> {
+        let size = (self.to_bits() & (u64::MAX >> 1)) as i64;
+        (!self.is_nan()).then_some(if self < 0.0 { -size } else { size })
+    }
+    fn is_negative_zero(self) -> bool {
+        self.to_bits() == 1 << 63
+    }
+}
+
+impl Format for f32 {
+    fn of(x: f64) -> f32 {
+        x as f32
+    }
+    fn place(self) -> Option<i64> {
+        let size = i64::from(self.to_bits() & (u32::MAX >> 1));
+        (!self.is_nan()).then_some(if self < 0.0 { -size } else { size })
+    }
+    fn is_negative_zero(self) -> bool {
+        self.to_bits() == 1 << 31
+    }
+}
+
+impl<T: Format> Format for Precise<T>
+where
+    Precise<T>: Real,
+{
+    fn of(x: f64) -> Self {
+        Precise(T::of(x))
+    }
+    fn place(self) -> Option<i64> {
+        self.0.place()
+    }
+    fn is_negative_zero(self) -> bool {
+        self.0.is_negative_zero()
+    }
+}
+
+const EXPONENTS: [f64; 9] = [0.0, 1e-310, 1e-30, 0.5, 1.0, 7.3, 1e4, 1e12, f64::MAX];
+
+/// One input of every kind: a number, and a direction as (cos θ, sin θ).
+#[derive(Clone, Copy, Debug)]
+struct Input {
+    x: f64,
+    at: (f64, f64),
+}
+
+/// Every operation of every law, by name.
+fn all<T: Format>(input: Input) -> Vec<(String, T)> {
+    let mut out = Vec::new();
+    planar(&mut out, "Disk", &Disk, input);
+    planar(&mut out, "CircleShell", &CircleShell, input);
+    planar(&mut out, "CircleArc", &CircleArc, input);
+    spatial(&mut out, "Ball", &Ball, input);
+    spatial(&mut out, "SphereShell", &SphereShell, input);
+    spatial(&mut out, "Lambert", &Lambert, input);
+    for k in EXPONENTS {
+        // The largest exponent of each format.
+        let law = CosPower::new(T::of(k)).or(CosPower::new(T::of(f32::MAX.into())));
+        let law = law.expect("a valid exponent");
+        spatial(&mut out, &format!("CosPower({k:e})"), &law, input);
+    }
+    out
+}
+
+fn planar<T: Format>(out: &mut Vec<(String, T)>, name: &str, law: &impl Law<T>, input: Input) {
+    let x = T::of(input.x);
+    let at = CosSin {
+        cos: T::of(input.at.0),
+        sin: T::of(input.at.1),
+    };
+    let (warp, warp_sf) = (law.warp(x), law.warp_sf(x));
+    for (operation, value) in [
+        ("pdf", law.pdf(x)),
+        ("ln_pdf", law.ln_pdf(x)),
+        ("cdf", law.cdf(x)),
+        ("sf", law.sf(x)),
+        ("warp: cos", warp.cos),
+        ("warp: sin", warp.sin),
+        ("warp_sf: cos", warp_sf.cos),
+        ("warp_sf: sin", warp_sf.sin),
+        ("quantile", law.quantile(x)),
+        ("isf", law.isf(x)),
+        ("density", law.density(at)),
+        ("unwarp", law.unwarp(at)),
+        ("unwarp_sf", law.unwarp_sf(at)),
+        ("lambert_weight", law.lambert_weight(at)),
+    ] {
+        out.push((format!("{name} {operation}"), value));
+    }
+}
+
+fn spatial<T: Format>(out: &mut Vec<(String, T)>, name: &str, law: &impl Spatial<T>, input: Input) {
+    planar(out, name, law, input);
+    let x = T::of(input.x);
+    out.push((format!("{name} pdf_solid_angle"), law.pdf_solid_angle(x)));
+    let [cos, sin] = [input.at.0, input.at.1].map(T::of);
+    let directions = [
+        law.warp_direction([T::of(0.5), x]),
+        law.warp_direction([x, T::of(0.0)]),
+    ];
+    let turns = [[sin, cos, T::of(0.0)], [T::of(-0.0), cos, sin]].map(|d| law.unwarp_direction(d));
+    let found = directions.into_iter().flatten();
+    for value in found.chain(turns.into_iter().flatten()) {
+        out.push((format!("{name} direction"), value));
+    }
+}
+
+fn alike<T: Format>()
+where
+    Precise<T>: Format,
+{
+    let pairs = DIRECTIONS.iter().map(|&at| Input { x: 0.5, at });
+    let numbers = NUMBERS.iter().map(|&x| Input { x, at: (0.6, 0.8) });
+    for input in numbers.chain(pairs) {
+        let plain = all::<T>(input);
+        for ((name, a), (_, b)) in plain.into_iter().zip(all::<Precise<T>>(input)) {
+            let near = match (a.place(), b.place()) {
+                (Some(a), Some(b)) => (a - b).abs() <= 16,
+                (a, b) => a == b,
+            };
+            assert!(
+                near && a.is_negative_zero() == b.is_negative_zero(),
+                "{name} at {input:?}: {a:?} and {b:?}"
+            );
+        }
+    }
+}
+
+const NUMBERS: [f64; 25] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    0.0,
+    -0.0,
+    0.25,
+    0.5,
+    1.0,
+    -0.5,
+    -1.0,
+    2.0,
+    -2.0,
+    1.0 + f64::EPSILON,
+    5e-324,
+    -5e-324,
+    1e-310,
+    -1e-310,
+    1e-45,
+    -1e-45,
+    1e300,
+    -1e300,
+    std::f64::consts::FRAC_PI_2,
+    -std::f64::consts::FRAC_PI_2,
+    1.5707963267948968,
+    1.5707962,
+];
+
+const DIRECTIONS: [(f64, f64); 24] = [
+    (1.0, 0.0),
+    (1.0, -0.0),
+    (-1.0, 0.0),
+    (0.0, 1.0),
+    (-0.0, 1.0),
+    (0.0, -1.0),
+    (-0.0, -1.0),
+    (0.6, 0.8),
+    (0.6, -0.8),
+    (-0.6, 0.8),
+    (-0.6, -0.8),
+    (1.0, 5e-324),
+    (1.0, -5e-324),
+    (-1.0, 5e-324),
+    (5e-324, 1.0),
+    (5e-324, -1.0),
+    (-5e-324, 1.0),
+    (1e-45, 1.0),
+    (1.0, 1e-45),
+    (1.0, -1e-45),
+    (f64::NAN, 0.0),
+    (f64::NAN, 1.0),
+    (0.0, f64::NAN),
+    (1.0, f64::NAN),
+];
+
+#[test]
+fn precise_f64_means_what_f64_means() {
+    alike::<f64>();
+}
+
+#[test]
+fn precise_f32_means_what_f32_means() {
+    alike::<f32>();
+}
