@@ -6,7 +6,7 @@ use super::series::Series;
 use super::{Double, angle, arith, disk, log_exp, root, table};
 use crate::CosSin;
 use crate::kernel::pair::Pair;
-use crate::number::kernel::Kernel;
+use crate::number::native::Native;
 use std::string::String;
 use std::vec::Vec;
 use std::{format, println};
@@ -85,7 +85,7 @@ fn call(row: &Row) -> Double {
         "exp" => {
             let (m, n) = log_exp::exp(a);
             assert!((0.5..2.0).contains(&m.hi), "{m:?}");
-            arith::scaled(m, 1.0.scale(n - b.hi as i32))
+            arith::scaled(m, 1.0_f64.scale(n - b.hi as i32))
         }
         "exp_m1" => log_exp::exp_m1(a),
         "tail_at_angle" => disk::tail_at_angle(a.hi),
