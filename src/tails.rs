@@ -37,11 +37,8 @@ impl<T: Scalar> Tails<T> {
     /// Nearer tail `p` ≤ ½, on the upper side or the lower.
     #[inline(always)]
     pub(crate) fn from_nearer(p: T, is_upper: bool) -> Self {
-        let rest = T::ONE - p;
-        Tails {
-            lower: T::select(is_upper, rest, p),
-            upper: T::select(is_upper, p, rest),
-        }
+        let (lower, upper) = T::swap_if_odd(u32::from(is_upper), p, T::ONE - p);
+        Tails { lower, upper }
     }
 
     /// From both tails as computed apart from each other: keeps the nearer one.
@@ -76,11 +73,16 @@ impl<T: Scalar> Tails<T> {
         self.upper
     }
 
-    /// The smaller tail, and whether it is the upper one (as for equal tails).
+    /// The smaller tail, and 1 if it is the lower one, else 0 (as for equal tails).
     #[inline(always)]
-    pub(crate) fn nearer(self) -> (T, bool) {
-        let is_upper = self.upper <= self.lower;
-        (T::select(is_upper, self.upper, self.lower), is_upper)
+    pub(crate) fn nearer(self) -> (T, u32) {
+        // In this form a minimum is one instruction on most processors.
+        let p = if self.upper < self.lower {
+            self.upper
+        } else {
+            self.lower
+        };
+        (p, (self.lower - self.upper).sign_bit())
     }
 }
 

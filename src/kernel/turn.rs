@@ -26,11 +26,11 @@ pub(crate) fn at_quadrant<T: Native>(quadrant: u32, x: T) -> CosSin<T> {
 /// The pair `at` turned on by `quadrant` right angles.
 #[inline(always)]
 pub(crate) fn into_quadrant<T: Scalar>(quadrant: u32, at: CosSin<T>) -> CosSin<T> {
-    let CosSin { cos, sin } = at;
-    let (odd, behind) = (quadrant & 1 != 0, quadrant & 2 != 0);
+    let (cos, sin) = T::swap_if_odd(quadrant, at.cos, at.sin);
+    let behind = quadrant >> 1;
     CosSin {
-        cos: T::select(odd, sin, cos).negate_if(odd != behind),
-        sin: T::select(odd, cos, sin).negate_if(behind),
+        cos: cos.negate_if_odd(quadrant ^ behind),
+        sin: sin.negate_if_odd(behind),
     }
 }
 
@@ -45,12 +45,9 @@ pub(crate) fn at_turn<T: Native>(u: T) -> CosSin<T> {
 #[inline]
 pub(crate) fn half_turn<T: Native>(p: T) -> CosSin<T> {
     let d = T::HALF - p;
-    let near = p < T::QUARTER;
     // The argument stays p: half a subnormal p would lose its last bit.
-    let arg = T::select(near, p, d);
+    let arg = if p < d { p } else { d };
     let CosSin { cos, sin } = eighth(arg * T::HALF, arg, T::CONSTANTS.pi, T::HALF);
-    CosSin {
-        cos: T::select(near, sin, cos),
-        sin: T::select(near, cos, sin),
-    }
+    let (cos, sin) = T::swap_if_odd((p - d).sign_bit(), cos, sin);
+    CosSin { cos, sin }
 }

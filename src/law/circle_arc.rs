@@ -75,11 +75,11 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 
     #[inline]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        let (p, is_upper) = p.nearer();
+        let (p, is_lower) = p.nearer();
         let CosSin { cos, sin } = W::half_turn(p);
         CosSin {
             cos,
-            sin: sin.negate_if(!is_upper),
+            sin: sin.negate_if_odd(is_lower),
         }
     }
 
@@ -96,10 +96,10 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 
     #[inline]
     fn quantile_tails(&self, p: Tails<W>) -> W {
-        let (p, is_upper) = p.nearer();
+        let (p, is_lower) = p.nearer();
         let d = W::HALF - p;
         let theta = W::Wide::exact(d).times(W::CONSTANTS.pi).value();
-        theta.negate_if(!is_upper)
+        theta.negate_if_odd(is_lower)
     }
 
     #[inline]

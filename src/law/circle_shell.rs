@@ -77,17 +77,14 @@ impl<W: Kernel> Formulas<W> for CircleShell {
 
     #[inline]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        let (p, is_upper) = p.nearer();
+        let (p, is_lower) = p.nearer();
         let sin = W::ONE - (p + p);
         // 4p(1 − p), each half in the order that keeps it monotone in p.
-        let cos_squared = if p < W::QUARTER {
-            (p - p * p) * W::int(4)
-        } else {
-            W::ONE - sin * sin
-        };
+        let (from_end, from_axis) = ((p - p * p) * W::int(4), W::ONE - sin * sin);
+        let cos_squared = if p < W::QUARTER { from_end } else { from_axis };
         CosSin {
             cos: cos_squared.sqrt(),
-            sin: sin.negate_if(!is_upper),
+            sin: sin.negate_if_odd(is_lower),
         }
     }
 

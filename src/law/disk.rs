@@ -77,11 +77,11 @@ impl<W: Kernel> Formulas<W> for Disk {
 
     #[inline]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        let (p, is_upper) = p.nearer();
+        let (p, is_lower) = p.nearer();
         let CosSin { cos, sin } = W::disk_pair_at_tail(p);
         CosSin {
             cos,
-            sin: sin.negate_if(!is_upper),
+            sin: sin.negate_if_odd(is_lower),
         }
     }
 
@@ -93,8 +93,8 @@ impl<W: Kernel> Formulas<W> for Disk {
 
     #[inline]
     fn quantile_tails(&self, p: Tails<W>) -> W {
-        let (p, is_upper) = p.nearer();
-        W::disk_angle_at_tail(p).negate_if(!is_upper)
+        let (p, is_lower) = p.nearer();
+        W::disk_angle_at_tail(p).negate_if_odd(is_lower)
     }
 
     #[inline]

@@ -103,17 +103,20 @@ impl Scalar for Double {
         self.negate_if(self.hi.is_sign_negative())
     }
     #[inline(always)]
-    fn select(first: bool, a: Self, b: Self) -> Self {
-        Pair {
-            hi: f64::select(first, a.hi, b.hi),
-            lo: f64::select(first, a.lo, b.lo),
-        }
+    fn sign_bit(self) -> u32 {
+        self.hi.sign_bit()
     }
     #[inline(always)]
-    fn negate_if(self, negative: bool) -> Self {
+    fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
+        let (a_hi, b_hi) = f64::swap_if_odd(n, a.hi, b.hi);
+        let (a_lo, b_lo) = f64::swap_if_odd(n, a.lo, b.lo);
+        (Pair { hi: a_hi, lo: a_lo }, Pair { hi: b_hi, lo: b_lo })
+    }
+    #[inline(always)]
+    fn negate_if_odd(self, n: u32) -> Self {
         Pair {
-            hi: self.hi.negate_if(negative),
-            lo: self.lo.negate_if(negative),
+            hi: self.hi.negate_if_odd(n),
+            lo: self.lo.negate_if_odd(n),
         }
     }
     #[inline(always)]

@@ -34,11 +34,18 @@ pub trait Scalar:
     fn is_nan(self) -> bool;
     fn is_finite(self) -> bool;
     fn abs(self) -> Self;
-    /// `a` if `first`, else `b`, by masking bits: random bits choose, and a branch on them
+    /// 1 for negative numbers and −0, else 0.
+    fn sign_bit(self) -> u32;
+    /// (b, a) if n is odd, else (a, b), by masking bits: random bits choose, and a branch on them
     /// would be mispredicted half the time.
-    fn select(first: bool, a: Self, b: Self) -> Self;
+    fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self);
+    /// −self if n is odd.
+    fn negate_if_odd(self, n: u32) -> Self;
     /// −self if `negative`.
-    fn negate_if(self, negative: bool) -> Self;
+    #[inline(always)]
+    fn negate_if(self, negative: bool) -> Self {
+        self.negate_if_odd(u32::from(negative))
+    }
     fn copysign(self, sign: Self) -> Self;
     fn sqrt(self) -> Self;
 }

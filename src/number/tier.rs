@@ -14,8 +14,8 @@ pub trait Holds<T: Scalar>: Kernel {
     /// The same probability: the nearer tail is exact, so the other is found again from it.
     #[inline(always)]
     fn of_tails(p: Tails<T>) -> Tails<Self> {
-        let (p, is_upper) = p.nearer();
-        Tails::from_nearer(Self::of(p), is_upper)
+        let (p, is_lower) = p.nearer();
+        Tails::from_nearer(Self::of(p), is_lower == 0)
     }
 
     #[inline(always)]

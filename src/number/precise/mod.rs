@@ -95,12 +95,17 @@ impl<T: Scalar> Scalar for Precise<T> {
         Precise(self.0.abs())
     }
     #[inline(always)]
-    fn select(first: bool, a: Self, b: Self) -> Self {
-        Precise(T::select(first, a.0, b.0))
+    fn sign_bit(self) -> u32 {
+        self.0.sign_bit()
     }
     #[inline(always)]
-    fn negate_if(self, negative: bool) -> Self {
-        Precise(self.0.negate_if(negative))
+    fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
+        let (a, b) = T::swap_if_odd(n, a.0, b.0);
+        (Precise(a), Precise(b))
+    }
+    #[inline(always)]
+    fn negate_if_odd(self, n: u32) -> Self {
+        Precise(self.0.negate_if_odd(n))
     }
     #[inline(always)]
     fn copysign(self, sign: Self) -> Self {
