@@ -103,12 +103,17 @@ impl Scalar for Fast<f32> {
         Fast(self.0.abs())
     }
     #[inline(always)]
-    fn select(first: bool, a: Self, b: Self) -> Self {
-        Fast(f32::select(first, a.0, b.0))
+    fn sign_bit(self) -> u32 {
+        self.0.sign_bit()
     }
     #[inline(always)]
-    fn negate_if(self, negative: bool) -> Self {
-        Fast(self.0.negate_if(negative))
+    fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
+        let (a, b) = f32::swap_if_odd(n, a.0, b.0);
+        (Fast(a), Fast(b))
+    }
+    #[inline(always)]
+    fn negate_if_odd(self, n: u32) -> Self {
+        Fast(self.0.negate_if_odd(n))
     }
     #[inline(always)]
     fn copysign(self, sign: Self) -> Self {

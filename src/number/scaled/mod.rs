@@ -206,11 +206,17 @@ impl Scalar for Scaled {
             ..self
         }
     }
-    fn select(first: bool, a: Self, b: Self) -> Self {
-        if first { a } else { b }
+    fn sign_bit(self) -> u32 {
+        self.part.sign_bit()
     }
-    fn negate_if(self, negative: bool) -> Self {
-        if negative { -self } else { self }
+    fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
+        if n & 1 == 1 { (b, a) } else { (a, b) }
+    }
+    fn negate_if_odd(self, n: u32) -> Self {
+        Scaled {
+            part: self.part.negate_if_odd(n),
+            ..self
+        }
     }
     fn copysign(self, sign: Self) -> Self {
         Scaled {
