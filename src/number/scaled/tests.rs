@@ -94,3 +94,14 @@ fn the_ends_are_total() {
     assert_eq!(square, infinity);
     assert_eq!(one / square, zero);
 }
+
+/// Leading words that cancel leave the trailing ones.
+#[test]
+fn a_difference_of_trailing_words_is_not_lost() {
+    let small = power_of_two(-70);
+    let x = Pair { hi: 1.0, lo: small };
+    assert_eq!(x - Double::ONE, Pair::exact(small));
+    let rest = Scaled::of_double(x) - Scaled::ONE;
+    assert_eq!(rest, Scaled::of_double(Pair::exact(small)));
+    assert!(Scaled::ONE < Scaled::of_double(x));
+}
