@@ -27,7 +27,13 @@ impl Add for Double {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        settled(self.hi + b.hi, Pair::add(self, b))
+        let sum = Pair::add(self, b);
+        // Leading words that cancel leave the trailing ones.
+        if sum.hi.is_finite() && sum.hi != 0.0 {
+            sum
+        } else {
+            Pair::exact(self.hi + b.hi)
+        }
     }
 }
 

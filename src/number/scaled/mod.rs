@@ -2,6 +2,8 @@
 //! of a plain double-double would underflow.
 
 mod kernel;
+#[cfg(test)]
+mod tests;
 
 use super::f64::power_of_two;
 use super::kernel::Wide;
