@@ -8,7 +8,7 @@ use accuracy::inputs::exponents;
 use accuracy::measure::{Input, judge, sample, sweep};
 use accuracy::monotone;
 use accuracy::reference::{self, Direction, Id};
-use accuracy::rows::{from_json, measure_all, to_json};
+use accuracy::rows::{Row, from_json, keys, measure_all, to_json};
 use accuracy::subject::{Subject, Tiers};
 use accuracy::tally::Tally;
 
@@ -120,6 +120,7 @@ fn f32_quantiles_are_monotone_everywhere() {
 fn measuring_twice_gives_the_same_rows() {
     let rows = measure_all(100_003, 3000, |_| ());
     assert_eq!(rows, measure_all(100_003, 3000, |_| ()));
+    assert_eq!(rows.iter().map(Row::key).collect::<Vec<_>>(), keys());
     let text = to_json(&rows).expect("JSON");
     assert_eq!(from_json(&text).expect("rows"), rows);
 }
