@@ -57,7 +57,8 @@ fn never_steps_back<T: Format>(
     find: impl Fn(&Subject<T>) -> (u64, u64),
     tiers: impl Fn(Id) -> Vec<Subject<T>>,
 ) {
-    for s in Id::FIXED.into_iter().flat_map(tiers) {
+    let all = Id::FIXED.into_iter().flat_map(tiers);
+    for s in all.filter(|s| monotone::promised(s.tier)) {
         let (bad, first) = find(&s);
         assert_eq!(
             bad, 0,

@@ -59,22 +59,31 @@ pub(crate) fn quantiles(stride: u64, samples: u64, step: impl Fn()) -> Vec<Quant
             first_hex: (steps_back > 0).then(|| format!("{first:#x}")),
         });
     };
-    for s in Subject::<f32>::all(&Id::FIXED) {
+    for s in promising::<f32>() {
         let inputs = f32::round(1.0).bits() / stride;
         let found = monotone::strided(&s, stride);
         push(s.tier, s.id, inputs, stride == 1, found);
     }
-    for s in Subject::<f64>::all(&Id::FIXED) {
+    for s in promising::<f64>() {
         let found = monotone::sampled(&s, samples);
         push(s.tier, s.id, samples - samples % 3, false, found);
     }
     all
 }
 
-/// Steps of [`quantiles`].
-pub(crate) fn quantile_steps() -> u64 {
-    let types = f32::tiers(Id::Disk).len() + f64::tiers(Id::Disk).len();
-    (types * Id::FIXED.len()) as u64
+/// The fixed laws in the types whose quantiles are not to step back.
+fn promising<F: Tiers>() -> impl Iterator<Item = Subject<F>> {
+    let all = Subject::<F>::all(&Id::FIXED).into_iter();
+    all.filter(|s| monotone::promised(s.tier))
+}
+
+/// Type and law of all [`quantiles`].
+pub(crate) fn quantile_keys() -> Vec<Key> {
+    let key = |tier: &str, id: Id| [tier, id.name(), "quantile"].map(str::to_owned);
+    let single = promising::<f32>().map(|s| key(s.tier, s.id));
+    single
+        .chain(promising::<f64>().map(|s| key(s.tier, s.id)))
+        .collect()
 }
 
 /// One row a line: git shows what changed.
@@ -107,13 +116,9 @@ pub(crate) fn read(path: &Path) -> Result<(Vec<Row>, Option<Vec<Quantiles>>), St
     };
     complete(&keys(), &rows.iter().map(Row::key).collect::<Vec<_>>()).map_err(|e| explain(&e))?;
     if let Some(found) = &quantiles {
-        let key = |tier: &str, law: &str| [tier, law, "quantile"].map(str::to_owned);
-        let single = Subject::<f32>::all(&Id::FIXED);
-        let double = Subject::<f64>::all(&Id::FIXED);
-        let mut wanted: Vec<_> = single.iter().map(|s| key(s.tier, s.id.name())).collect();
-        wanted.extend(double.iter().map(|s| key(s.tier, s.id.name())));
-        let found: Vec<_> = found.iter().map(|q| key(&q.tier, &q.law)).collect();
-        complete(&wanted, &found).map_err(|e| explain(&e))?;
+        let key = |q: &Quantiles| [q.tier.clone(), q.law.clone(), "quantile".to_owned()];
+        let found: Vec<_> = found.iter().map(key).collect();
+        complete(&quantile_keys(), &found).map_err(|e| explain(&e))?;
     }
     Ok((rows, quantiles))
 }

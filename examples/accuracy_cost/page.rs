@@ -1,6 +1,7 @@
 //! The readable table.
 
 use crate::cell::DRAWS;
+use crate::contender::plain;
 use crate::judged::Judged;
 use crate::machine::Machine;
 use crate::row::Row;
@@ -55,7 +56,7 @@ pub(crate) fn markdown(
     if let Some(scipy) = scipy {
         against_scipy(&mut out, scipy)?;
     }
-    summary::quantiles(&mut out, &judged.quantiles, &types)?;
+    summary::quantiles(&mut out, &judged.quantiles)?;
     how(&mut out, about)?;
     for law in laws {
         let rows: Vec<&Row> = rows.iter().filter(|r| r.law == law).collect();
@@ -126,30 +127,29 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
     writeln!(
         out,
         "\n## Directions against the quickest peer\n\n\
-         Time of `sample` as a multiple of the quickest peer of the same format.\n\n\
-         | law | `{}` |\n|---|{}",
-        types.join("` | `"),
-        "---|".repeat(types.len())
+         Time of `sample` as a multiple of that of the quickest peer of the same format."
     )?;
-    for law in laws {
-        write!(out, "| {law} |")?;
-        for name in types {
-            let samples = || {
-                rows.iter()
-                    .filter(|r| r.law == *law && r.operation == "sample")
+    for format in ["f32", "f64"] {
+        let types: Vec<&String> = types.iter().filter(|name| plain(name) == format).collect();
+        write!(out, "\n| law | quickest peer |")?;
+        types
+            .iter()
+            .try_for_each(|name| write!(out, " `{name}` |"))?;
+        writeln!(out, "\n|---|---|{}", "---|".repeat(types.len()))?;
+        for law in laws {
+            let samples = |ours: bool| {
+                rows.iter().filter(move |r| {
+                    r.law == *law && r.operation == "sample" && r.format == format && r.ours == ours
+                })
             };
-            let ours = samples().find(|r| r.name == *name);
-            let peers = samples().filter(|r| !r.ours && Some(&r.format) == ours.map(|o| &o.format));
-            let best = peers.min_by(|a, b| a.time_to_plain.total_cmp(&b.time_to_plain));
-            match (ours, best) {
-                (Some(ours), Some(peer)) => {
-                    let ratio = ours.time_to_plain / peer.time_to_plain;
-                    write!(out, " {ratio:.2} × {} |", peer.name)?;
-                }
-                _ => write!(out, " – |")?,
+            let best = samples(false).min_by(|a, b| a.time_to_plain.total_cmp(&b.time_to_plain));
+            let Some(peer) = best else { continue };
+            write!(out, "| {law} | {} |", peer.name)?;
+            for row in samples(true) {
+                write!(out, " {:.2} |", row.time_to_plain / peer.time_to_plain)?;
             }
+            writeln!(out)?;
         }
-        writeln!(out)?;
     }
     Ok(())
 }

@@ -10,12 +10,12 @@ use plotters::prelude::*;
 use std::error::Error;
 
 const COLUMNS: usize = 3;
-const PANEL: (f64, f64) = (450.0, 330.0);
+const PANEL: (f64, f64) = (450.0, 360.0);
 const TOP: f64 = 64.0;
 /// The plot inside a panel: left, top, right, bottom.
-const FRAME: (f64, f64, f64, f64) = (62.0, 40.0, 438.0, 286.0);
+const FRAME: (f64, f64, f64, f64) = (62.0, 36.0, 438.0, 318.0);
 /// log₂ of the errors shown; what is beyond stands at the edge.
-const ERRORS: (f64, f64) = (-56.0, 4.0);
+const ERRORS: (f64, f64) = (-60.0, 9.0);
 
 /// Colour of a contender: by format, ours apart from the peers.
 pub(crate) fn color(ours: bool, format: &str) -> RGBColor {
@@ -78,7 +78,7 @@ fn panel(area: &Area, points: &[&Row]) -> Drawn {
     let shown: Vec<(&Row, f64, f64)> = points
         .iter()
         .filter_map(|r| Some((*r, r.instructions?, r.max_relative?)))
-        .map(|(c, n, e)| (c, n.max(1.0).log10(), e.log2().clamp(ERRORS.0, 0.0)))
+        .map(|(c, n, e)| (c, n.max(1.0).log10(), e.log2().clamp(ERRORS.0 + 2.0, 0.0)))
         .collect();
     let ends = |f: fn(f64, f64) -> f64, start| shown.iter().map(|p| p.1).fold(start, f);
     let (least, most) = (

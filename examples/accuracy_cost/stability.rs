@@ -179,7 +179,7 @@ fn panel(area: &Area, curves: &[Curve]) -> Drawn {
         .y_desc("relative error")
         .draw()?;
     for curve in curves.iter().rev() {
-        let within = curve.points.iter().filter(|p| p.0 > DECADES.0);
+        let within = curve.points.iter().filter(|p| p.0 >= DECADES.0);
         let points: Vec<(f64, f64)> = within.copied().collect();
         let width = if curve.ours { 2.2 } else { 1.3 };
         chart.draw_series([PathElement::new(points, line(curve.color, width))])?;

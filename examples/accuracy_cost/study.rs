@@ -100,7 +100,7 @@ fn our_errors(args: &Args) -> Result<Judged, String> {
         }
     };
     let quantiles = quantiles.unwrap_or_else(|| {
-        let progress = bar("quantiles", judged::quantile_steps());
+        let progress = bar("quantiles", judged::quantile_keys().len() as u64);
         let quantiles = judged::quantiles(args.stride, args.samples, || progress.inc(1));
         progress.finish_and_clear();
         quantiles

@@ -14,6 +14,11 @@ fn of<'a>(rows: &'a [Row], law: &str) -> Vec<&'a Row> {
     rows.iter().filter(|r| r.law == law).collect()
 }
 
+fn ulps(error: f64) -> String {
+    let digits = if error < 100.0 { 2 } else { 0 };
+    format!("{error:.digits$} ulp")
+}
+
 fn in_powers_of_two(error: f64) -> String {
     format!("2^{:.1}", error.log2()).replace('-', "−")
 }
@@ -47,7 +52,7 @@ pub(crate) fn types(out: &mut String, rows: &[Row], judged: &Judged, types: &[St
         writeln!(
             out,
             "| `{name}` | {}, {how} | {} | {} | {right} | {} | {} | {} | {} |",
-            or_dash(worst, |e| format!("{:.2} ulp", e.max_ulp)),
+            or_dash(worst, |e| ulps(e.max_ulp)),
             or_dash(worst, |e| format!("{} {}", e.law, e.operation)),
             in_powers_of_two(relative),
             or_dash(sample, instructions),
@@ -121,38 +126,44 @@ pub(crate) fn fast(out: &mut String, rows: &[Row], laws: &[String], calls: &[&st
 }
 
 /// Quantiles never step back: how many did.
-pub(crate) fn quantiles(out: &mut String, all: &[Quantiles], types: &[String]) -> Result {
+pub(crate) fn quantiles(out: &mut String, all: &[Quantiles]) -> Result {
+    let types = distinct(all.iter().map(|q| q.tier.as_str()));
     writeln!(
         out,
         "\n## Monotone quantiles\n\n\
-         Neighbours p of [0, 1) at which `quantile` or `isf` steps back or, for a planar law, fails to mirror.\n\n\
+         Neighbours p of \\[0, 1) at which `quantile` or `isf` steps back or, for a planar law, fails to mirror, of all\n\
+         that were tried. `Fast` promises none of this.\n\n\
          | law | `{}` |\n|---|{}",
         types.join("` | `"),
         "---|".repeat(types.len())
     )?;
-    let mut laws: Vec<&str> = Vec::new();
-    for q in all {
-        if !laws.contains(&q.law.as_str()) {
-            laws.push(&q.law);
-        }
-    }
-    for law in laws {
+    for law in distinct(all.iter().map(|q| q.law.as_str())) {
         let cells = types.iter().map(|name| {
             let found = all.iter().find(|q| q.law == law && q.tier == *name);
             or_dash(found, |q| {
-                let from = or_dash(q.first_hex.as_ref(), |x| format!(" from {x}"));
-                let from = if q.first_hex.is_some() {
-                    from
+                let from = q.first_hex.iter().map(|x| format!(" (from {x})"));
+                let kind = if q.exhaustive {
+                    "exhaustive"
                 } else {
-                    String::new()
+                    "observed"
                 };
-                let kind = if q.exhaustive { "every p" } else { "observed" };
-                format!("{}{from} ({kind}, {})", q.steps_back, q.inputs)
+                let from: String = from.collect();
+                format!("{}{from}, {kind} ({})", q.steps_back, q.inputs)
             })
         });
         writeln!(out, "| {law} | {} |", cells.collect::<Vec<_>>().join(" | "))?;
     }
     Ok(())
+}
+
+fn distinct<'a>(words: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut seen = Vec::new();
+    for word in words {
+        if !seen.contains(&word) {
+            seen.push(word);
+        }
+    }
+    seen
 }
 
 /// The worst error at each exponent.
@@ -164,13 +175,8 @@ pub(crate) fn exponents(out: &mut String, judged: &Judged, types: &[String]) -> 
         types.join("` | `"),
         "---|".repeat(types.len())
     )?;
-    let mut laws: Vec<&str> = Vec::new();
-    for e in &judged.errors {
-        if e.law.starts_with("CosPower") && !laws.contains(&e.law.as_str()) {
-            laws.push(&e.law);
-        }
-    }
-    for law in laws {
+    let powers = judged.errors.iter().map(|e| e.law.as_str());
+    for law in distinct(powers.filter(|law| law.starts_with("CosPower"))) {
         let cells = types.iter().map(|name| {
             let fast = name.starts_with("Fast<");
             let error = |e: &rows::Row| if fast { e.max_relative } else { e.max_ulp };

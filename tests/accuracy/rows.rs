@@ -39,11 +39,19 @@ pub struct Row {
 }
 
 /// The largest relative error where 10^`from` < distance ≤ 10^`to`; the last goes down to 0.
+/// Written as `[from, to, max_relative]`, read with the names too.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(into = "(i32, i32, f64)")]
 pub struct Decade {
     pub from: i32,
     pub to: i32,
     pub max_relative: f64,
+}
+
+impl From<Decade> for (i32, i32, f64) {
+    fn from(d: Decade) -> Self {
+        (d.from, d.to, d.max_relative)
+    }
 }
 
 /// A row's type, law and operation.
