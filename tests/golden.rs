@@ -6,7 +6,7 @@
 mod stats;
 
 use coslobe::rand_core::Rng;
-use coslobe::{Law, PlanarPoint, Spatial};
+use coslobe::{Fast, Law, PlanarPoint, Precise, Spatial};
 use rand_pcg::{Pcg32, Pcg64};
 use stats::laws::{Claim, Float, Visitor, each};
 use std::fmt::Write;
@@ -116,6 +116,9 @@ fn values_are_stable() {
     let mut lines = Lines::default();
     each::<f32>(&mut lines, &[7.3]);
     each::<f64>(&mut lines, &[7.3]);
+    each::<Precise<f32>>(&mut lines, &[7.3]);
+    each::<Precise<f64>>(&mut lines, &[7.3]);
+    each::<Fast<f32>>(&mut lines, &[7.3]);
     if std::env::var_os("COSLOBE_BLESS").is_some() {
         std::fs::write(FILE, &lines.0).expect("the golden file is writable");
         return;

@@ -3,22 +3,16 @@
 mod stats;
 
 use coslobe::{
-    CosSin, Law, Measure, Planar, PlanarPoint, Precise, Radius, Spatial, SpatialPoint, Tails,
+    CosSin, Fast, Law, Measure, Planar, PlanarPoint, Precise, Radius, Spatial, SpatialPoint, Tails,
     uniform,
 };
-use stats::laws::{Claim, Float, Visitor, each};
+use stats::laws::{Claim, Drawn, Float, Visitor, each};
 use stats::words::{Source, Words, hostile};
-
-/// Calls of `next_u32` and `next_u64`.
-type Drawn = (usize, usize);
 
 /// Words of one probability, of one azimuth, and of a direction with both.
 fn documented<T: Float>() -> [Drawn; 3] {
-    if size_of::<T>() == 4 {
-        [(0, 1), (1, 0), (1, 1)]
-    } else {
-        [(0, 2), (0, 1), (0, 3)]
-    }
+    let (tail, turn) = (T::TAIL_WORDS, T::TURN_WORDS);
+    [tail, turn, plus(tail, turn)]
 }
 
 fn plus(a: Drawn, b: Drawn) -> Drawn {
@@ -51,12 +45,11 @@ fn norm<const N: usize>(v: [f64; N]) -> f64 {
     v.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 
-/// A unit vector to 2 ulp, inside the open support where `law` has a positive finite density.
+/// A unit vector to 2 ulp or what the type promises, inside the open support where `law` has a positive finite density.
 fn direction<T: Float>(case: &str, law: &impl Law<T>, at: CosSin<T>, length: f64) {
     let zero = T::of(0.0);
-    // An ulp just above 1; below 1 it is half of that.
     assert!(
-        (length - 1.0).abs() <= 2.0 * T::EPSILON,
+        (length - 1.0).abs() <= T::LENGTH,
         "{case}: length 1 + {:e}",
         length - 1.0
     );
@@ -96,8 +89,9 @@ impl Hostile {
             let draw = |rng: &mut Words<Source>| law.sample_around(normal.map(T::of), rng);
             drawn(&case, words, draw, |case, d| {
                 let d = d.map(Into::into);
-                // The frame adds 4 ulp to the 2 of the sample, the normal its own rounding.
-                assert!((norm(d) - 1.0).abs() <= 8.0 * T::EPSILON, "{case}: {d:?}");
+                // The frame adds 4 ulp to the sample's own error, the normal its own rounding.
+                let slack = T::LENGTH + 6.0 * T::EPSILON;
+                assert!((norm(d) - 1.0).abs() <= slack, "{case}: {d:?}");
                 let cos: f64 = d.iter().zip(normal).map(|(a, b)| a * b).sum();
                 assert!(cos > -8.0 * T::EPSILON, "{case}: {d:?} lies below");
             });
@@ -125,7 +119,7 @@ impl Hostile {
                 |case, point| {
                     // In f64 the norm of the largest point would overflow without the division.
                     let unit = point.map(|c| c.into() / rho.into());
-                    let slack = 8.0 * T::EPSILON;
+                    let slack = 4.0 * T::LENGTH;
                     assert!(
                         norm(unit) <= 2.0 + slack && unit[1] >= 0.0,
                         "{case}: {point:?}"
@@ -197,7 +191,7 @@ fn uniforms<T: Float>() {
         |rng| uniform::azimuth(rng),
         |case, at: CosSin<T>| {
             let length = norm([at.cos.into(), at.sin.into()]);
-            assert!((length - 1.0).abs() <= 2.0 * T::EPSILON, "{case}: {at:?}");
+            assert!((length - 1.0).abs() <= T::LENGTH, "{case}: {at:?}");
         },
     );
 }
@@ -227,4 +221,10 @@ fn hostile_generators_precise_f32() {
 fn hostile_generators_precise_f64() {
     uniforms::<Precise<f64>>();
     each::<Precise<f64>>(&mut Hostile, &F64_EXPONENTS);
+}
+
+#[test]
+fn hostile_generators_fast_f32() {
+    uniforms::<Fast<f32>>();
+    each::<Fast<f32>>(&mut Hostile, &F32_EXPONENTS);
 }

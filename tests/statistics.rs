@@ -7,7 +7,7 @@ mod mutants;
 mod stats;
 
 use coslobe::rand_core::Rng;
-use coslobe::{PlanarPoint, Spatial};
+use coslobe::{Fast, PlanarPoint, Precise, Spatial};
 use stats::harness::{examine, examine_tail};
 use stats::laws::{Claim, Direction, Float, Visitor, each};
 use stats::words;
@@ -15,6 +15,8 @@ use stats::words;
 /// The random bits reach down to 2⁻⁶⁵ in `f32` and 2⁻¹²⁹ in `f64`.
 const DEPTHS_F32: &[u32] = &[24, 40, 60];
 const DEPTHS_F64: &[u32] = &[24, 40, 60, 90, 124];
+/// One word: down to 2⁻³³, and so coarse at 2⁻²⁸ that one value falls in each cell.
+const DEPTHS_FAST: &[u32] = &[16, 24, 28];
 
 const EXPONENTS: [f64; 5] = [0.0, 0.5, 7.3, 200.0, 1e4];
 
@@ -31,6 +33,8 @@ struct Laws {
     n: usize,
     tail_n: usize,
     depths: &'static [u32],
+    /// Bits of a tail's first word.
+    bits: u32,
 }
 
 impl Laws {
@@ -38,7 +42,14 @@ impl Laws {
         let mut rng = words::pcg(&claim.name);
         examine(claim, self.n, || draw(&mut rng)).accepted();
         for &depth in self.depths {
-            examine_tail(claim, depth, self.tail_n, words::deep(depth), &draw).accepted();
+            examine_tail(
+                claim,
+                depth,
+                self.tail_n,
+                words::deep_in(self.bits, depth),
+                &draw,
+            )
+            .accepted();
         }
     }
 }
@@ -54,7 +65,14 @@ impl<T: Float> Visitor<T> for Laws {
 }
 
 fn run<T: Float>(n: usize, tail_n: usize, depths: &'static [u32]) {
-    each::<T>(&mut Laws { n, tail_n, depths }, &EXPONENTS);
+    let bits = if T::TAIL_WORDS == (1, 0) { 32 } else { 64 };
+    let mut laws = Laws {
+        n,
+        tail_n,
+        depths,
+        bits,
+    };
+    each::<T>(&mut laws, &EXPONENTS);
 }
 
 #[test]
@@ -65,6 +83,26 @@ fn laws_f32() {
 #[test]
 fn laws_f64() {
     run::<f64>(1_000_000, 50_000, DEPTHS_F64);
+}
+
+/// Fewer samples: the words and uniforms are those of `f32`, and `tiers` compares the directions.
+#[test]
+fn laws_precise_f32() {
+    run::<Precise<f32>>(200_000, 50_000, &[60]);
+}
+
+#[test]
+fn laws_precise_f64() {
+    run::<Precise<f64>>(200_000, 50_000, &[124]);
+}
+
+/// A direction may be off by 2⁻¹², so at 10⁶ samples the means have that as a tolerance, value by
+/// value. The cells and KS need none: their edges move by at most 2⁻¹² too, 0.25 of the 10⁻³ that
+/// chance moves a KS distance, and by nearly the same at both edges of a cell, whose count of 1000
+/// chance moves by 3%.
+#[test]
+fn laws_fast_f32() {
+    run::<Fast<f32>>(1_000_000, 50_000, DEPTHS_FAST);
 }
 
 #[test]

@@ -356,6 +356,13 @@ impl Holds<Fast<f32>> for Fast<f32> {
 
 impl Real for Fast<f32> {}
 
+impl From<Fast<f32>> for f64 {
+    #[inline(always)]
+    fn from(x: Fast<f32>) -> f64 {
+        f64::from(x.0)
+    }
+}
+
 impl Tier for Fast<f32> {
     type Quick = Self;
     type Work = Self;

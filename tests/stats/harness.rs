@@ -21,16 +21,16 @@ const TAIL_CELLS: usize = 16;
 pub fn examine(claim: &Claim, n: usize, mut draw: impl FnMut() -> Direction) -> Report {
     let mut report = Report::new(format!("{} n={n:e}", claim.name));
     let m = claim.moments;
-    let mean = |expected| Mean::of(expected, claim.epsilon);
-    let mut means = [
-        ("mean cos", mean(m.mean_cos)),
-        ("var cos", mean(m.var_cos)),
-        ("mean theta", mean(m.mean_theta)),
-        ("var theta", mean(m.var_theta)),
-        ("entropy", mean(m.entropy)),
-        ("mean x", mean(0.0)),
-        ("mean z", mean(0.0)),
+    let expected = [
+        ("mean cos", m.mean_cos),
+        ("var cos", m.var_cos),
+        ("mean theta", m.mean_theta),
+        ("var theta", m.var_theta),
+        ("entropy", m.entropy),
+        ("mean x", 0.0),
+        ("mean z", 0.0),
     ];
+    let mut means = expected.map(|(name, value)| (name, Mean::of(value)));
     let mut grid = vec![0; SIDE * SIDE];
     let mut octaves = [[0; OCTAVES]; 2];
     let (mut us, mut turns, mut deep) = (Vec::new(), Vec::new(), Vec::new());
@@ -57,8 +57,23 @@ pub fn examine(claim: &Claim, n: usize, mut draw: impl FnMut() -> Direction) -> 
         let theta = sin.atan2(cos);
         let (dc, dt) = (cos - m.mean_cos, theta - m.mean_theta);
         let values = [cos, dc * dc, theta, dt * dt, claim.surprise(cos, sin), x, z];
-        for (mean, value) in means.iter_mut().zip(values) {
-            mean.1.add(value);
+        // What a value may be off by: the direction's error, at most, times its derivative.
+        let (off_cos, off_theta) = (claim.error * cos, claim.error * (2.0 * sin * cos).abs());
+        let slacks = [
+            off_cos,
+            off_cos * (2.0 * dc.abs() + claim.error),
+            off_theta,
+            off_theta * (2.0 * dt.abs() + claim.error),
+            claim.slack(cos, sin),
+            0.0,
+            0.0,
+        ];
+        for (((_, mean), (value, slack)), (_, of)) in means
+            .iter_mut()
+            .zip(values.into_iter().zip(slacks))
+            .zip(expected)
+        {
+            mean.add(value, slack + claim.epsilon * f64::abs(of));
         }
     }
     report.add("cells", chi2::uniform(&grid));
@@ -93,7 +108,7 @@ pub fn examine_tail(
         let (p, is_upper) = claim.tail(cos, sin);
         let share = p * 2f64.powi(depth as i32);
         // Rounding of the direction to `f32` moves p by 1e-5 at most.
-        if share > 1.001 {
+        if share > 1.001 + claim.slack(cos, sin) {
             report.fatal(format!("p = {p:e} lies outside the tail"));
         }
         cells[usize::from(is_upper)][cell(share, TAIL_CELLS)] += 1;
@@ -109,12 +124,12 @@ pub fn examine_tail(
 fn polar(claim: &Claim, [x, y, z]: Direction, report: &mut Report) -> Option<(f64, f64)> {
     let sin = if claim.planar { x } else { x.hypot(z) };
     let off = (y.hypot(sin) - 1.0).abs();
-    // 2 ulp, and what computing the norm may add.
-    if off > 2.0 * claim.epsilon + f64::EPSILON {
+    // With what computing the norm may add.
+    if off > claim.length + f64::EPSILON {
         report.fatal(format!("[{x:e}, {y:e}, {z:e}] is {off:e} off unit length"));
     }
     // Written so that NaN fails.
-    if y > 0.0 && off < 1e-6 {
+    if y > 0.0 && off < claim.length.max(1e-6) {
         return Some((y, sin));
     }
     report.fatal(format!("[{x:e}, {y:e}, {z:e}] has no density"));
@@ -141,13 +156,13 @@ fn tail_cells(octaves: &[[u64; OCTAVES]; 2]) -> f64 {
 
 /// Equal cosines in the tail: a sampler on a grid repeats itself long before its gaps show.
 ///
-/// Two samples fall on one float with probability ∫ f(c)² c ε dc ≤ (k+1) ε/2; the uniform's own
-/// rounding adds ε/2 at most.
+/// Two samples fall on one of the type's cosines, ε apart, with probability ∫ f(c)² c ε dc ≤ (k+1) ε/2;
+/// the uniform's own rounding adds ε/2 at most.
 fn ties(claim: &Claim, mut deep: Vec<(u64, bool)>) -> f64 {
     deep.sort_unstable();
     let ties = deep.windows(2).filter(|pair| pair[0] == pair[1]).count() as u64;
     let pairs = 0.5 * (deep.len() as f64).powi(2);
-    let expected = pairs * (claim.k + 2.0) * 0.5 * claim.epsilon;
+    let expected = pairs * (claim.k + 2.0) * 0.5 * claim.grid;
     match ties.checked_sub(1) {
         Some(fewer) => Poisson::new(expected).map_or(f64::NAN, |law| law.sf(fewer)),
         None => 1.0,

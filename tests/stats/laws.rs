@@ -1,14 +1,26 @@
 //! What each law claims, in `f64` closed forms that share nothing with the crate.
 
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Moments, PlanarPoint, Precise,
-    Real, Spatial, SpatialPoint, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Law, Moments, PlanarPoint,
+    Precise, Real, Spatial, SpatialPoint, SphereShell,
 };
 use std::f64::consts::{PI, TAU};
+
+/// Calls of `next_u32` and `next_u64`.
+pub type Drawn = (usize, usize);
 
 pub trait Float: Real + Into<f64> {
     const NAME: &'static str;
     const EPSILON: f64;
+    /// How far from 1 a direction's length may be: 2 ulp just above 1, or what the type promises.
+    const LENGTH: f64 = 2.0 * Self::EPSILON;
+    /// Relative error of a direction's components.
+    const ERROR: f64 = Self::EPSILON;
+    /// Distance of neighbouring cosines, relative to them.
+    const GRID: f64 = Self::EPSILON;
+    /// Calls of `next_u32` and `next_u64` for one probability, and for one azimuth.
+    const TAIL_WORDS: Drawn;
+    const TURN_WORDS: Drawn;
     const SMALLEST: Self;
     const LARGEST: Self;
     fn of(x: f64) -> Self;
@@ -18,6 +30,8 @@ pub trait Float: Real + Into<f64> {
 impl Float for f32 {
     const NAME: &'static str = "f32";
     const EPSILON: f64 = f32::EPSILON as f64;
+    const TAIL_WORDS: Drawn = (0, 1);
+    const TURN_WORDS: Drawn = (1, 0);
     const SMALLEST: f32 = f32::MIN_POSITIVE;
     const LARGEST: f32 = f32::MAX;
     fn of(x: f64) -> f32 {
@@ -31,6 +45,8 @@ impl Float for f32 {
 impl Float for f64 {
     const NAME: &'static str = "f64";
     const EPSILON: f64 = f64::EPSILON;
+    const TAIL_WORDS: Drawn = (0, 2);
+    const TURN_WORDS: Drawn = (0, 1);
     const SMALLEST: f64 = f64::MIN_POSITIVE;
     const LARGEST: f64 = f64::MAX;
     fn of(x: f64) -> f64 {
@@ -45,12 +61,36 @@ impl<T: Float> Float for Precise<T>
 where
     Precise<T>: Real + Into<f64>,
 {
-    const NAME: &'static str = "Precise";
+    const NAME: &'static str = if size_of::<T>() == 4 {
+        "Precise<f32>"
+    } else {
+        "Precise<f64>"
+    };
     const EPSILON: f64 = T::EPSILON;
+    const TAIL_WORDS: Drawn = T::TAIL_WORDS;
+    const TURN_WORDS: Drawn = T::TURN_WORDS;
     const SMALLEST: Self = Precise(T::SMALLEST);
     const LARGEST: Self = Precise(T::LARGEST);
     fn of(x: f64) -> Self {
         Precise(T::of(x))
+    }
+    fn bits(self) -> u64 {
+        self.0.bits()
+    }
+}
+
+impl Float for Fast<f32> {
+    const NAME: &'static str = "Fast<f32>";
+    const EPSILON: f64 = f32::EPSILON as f64;
+    const LENGTH: f64 = 1.0 / 4096.0;
+    const ERROR: f64 = 1.0 / 4096.0;
+    const GRID: f64 = 1.0 / 32768.0; // its roots have 16 bits
+    const TAIL_WORDS: Drawn = (1, 0);
+    const TURN_WORDS: Drawn = (1, 0);
+    const SMALLEST: Self = Fast(f32::MIN_POSITIVE);
+    const LARGEST: Self = Fast(f32::MAX);
+    fn of(x: f64) -> Self {
+        Fast(x as f32)
     }
     fn bits(self) -> u64 {
         self.0.bits()
@@ -69,6 +109,10 @@ pub struct Claim {
     pub moments: Moments<f64>,
     /// Precision of the number type.
     pub epsilon: f64,
+    /// [`Float::LENGTH`], [`Float::ERROR`] and [`Float::GRID`].
+    pub length: f64,
+    pub error: f64,
+    pub grid: f64,
 }
 
 impl Claim {
@@ -85,7 +129,16 @@ impl Claim {
                 entropy: m.entropy.into(),
             },
             epsilon: T::EPSILON,
+            length: T::LENGTH,
+            error: T::ERROR,
+            grid: T::GRID,
         }
+    }
+
+    /// Relative error of the nearer tail, and of −k ln cos θ + 1, for that of the smaller component.
+    pub fn slack(&self, cos: f64, sin: f64) -> f64 {
+        let tangent = sin / cos;
+        self.error * (2.0f64).max((self.k + 1.0) * (tangent * tangent).min(1.0))
     }
 
     /// (smaller of cdf and sf of θ, whether it is the sf), from the smaller of cos θ and |sin θ|.

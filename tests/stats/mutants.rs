@@ -6,7 +6,7 @@ use crate::stats::words;
 use crate::{in_plane, in_space};
 use coslobe::rand_core::Rng;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial,
+    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Spatial,
     SphereShell, uniform,
 };
 use std::f64::consts::TAU;
@@ -107,6 +107,30 @@ fn grid_of_24_bits_f32() {
 #[test]
 fn grid_of_24_bits_f64() {
     grid_of_24_bits::<f64>();
+}
+
+/// What a tail of half a word would be: the one grid coarse enough for `Fast`'s own tolerances.
+#[test]
+fn grid_of_16_bits_fast() {
+    let claim = spatial::<Fast<f32>, _>("16 bits as Ball", 3.0, Ball);
+    let draw = |mut rng: &mut dyn Rng| {
+        let u = f64::from(rng.next_u32() >> 16) * 0.5f64.powi(16);
+        from_pair(Ball.warp_sf(Fast::of(u)), uniform::azimuth(&mut rng))
+    };
+    let mut rng = words::pcg(MUTANT);
+    let never_zero = |rng: &mut dyn Rng| loop {
+        let d = draw(rng);
+        if d[1] > 0.0 {
+            return d;
+        }
+    };
+    assert!(examine(&claim, MILLION, || never_zero(&mut rng)).rejects("ties"));
+    let tail = |depth| {
+        let shape = move |i, word| words::deep_in(32, depth)(i, word >> u64::from(i == 0));
+        examine_tail(&claim, depth, 20_000, shape, draw)
+    };
+    assert!(tail(13).rejects("upper cells"));
+    assert!(tail(16).is_fatal());
 }
 
 /// No zero, but a floor: what clamping does to the same grid.

@@ -54,9 +54,14 @@ pub fn shaped(rng: &mut Pcg64, shape: impl Fn(u32, u64) -> u64) -> impl Rng {
 
 /// Words whose nearer tail is below 2^−`depth`: the side bit stays, zeros follow it.
 pub fn deep(depth: u32) -> impl Fn(u32, u64) -> u64 + Copy {
-    const SIDE: u64 = 1 << 63;
+    deep_in(u64::BITS, depth)
+}
+
+/// The same for a first word that is drawn as the low `bits` of it.
+pub fn deep_in(bits: u32, depth: u32) -> impl Fn(u32, u64) -> u64 + Copy {
+    let side = 1u64 << (bits - 1);
     move |i, word| match i {
-        0 => (word & SIDE) | ((word & !SIDE) >> (depth - 1).min(63)),
+        0 => (word & side) | ((word & (side - 1)) >> (depth - 1).min(63)),
         1 => word >> depth.saturating_sub(64),
         _ => word,
     }
