@@ -177,27 +177,34 @@ struct Around<T, L> {
 }
 
 impl<T: Tier, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {
-    type Out = [T::Raw; 2];
+    type Out = [T; 2];
     #[inline(always)]
-    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T::Raw; 2] {
-        self.0.sample(rng).map(T::raw)
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
+        self.0.sample(rng)
+    }
+    fn cos(out: &[T; 2]) -> f64 {
+        out[1].raw().wide()
     }
 }
 
 impl<T: Tier, L: Spatial<T> + Copy + 'static> Draw for InSpace<T, L> {
-    type Out = [T::Raw; 3];
+    type Out = [T; 3];
     #[inline(always)]
-    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T::Raw; 3] {
-        self.0.sample(rng).map(T::raw)
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
+        self.0.sample(rng)
+    }
+    fn cos(out: &[T; 3]) -> f64 {
+        out[1].raw().wide()
     }
 }
 
 impl<T: Tier, L: Spatial<T> + Copy + 'static> Draw for Around<T, L> {
-    type Out = [T::Raw; 3];
+    type Out = [T; 3];
     #[inline(always)]
-    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T::Raw; 3] {
-        self.law
-            .sample_around(black_box(self.normal), rng)
-            .map(T::raw)
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
+        self.law.sample_around(black_box(self.normal), rng)
+    }
+    fn cos(out: &[T; 3]) -> f64 {
+        out[1].raw().wide()
     }
 }

@@ -1,6 +1,5 @@
 //! A function bound to its inputs, as both the instruction counter and the clock run it.
 
-use crate::accuracy::format::Format;
 use coslobe::rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 use std::convert::Infallible;
@@ -17,20 +16,11 @@ pub(crate) fn generator() -> Pcg32 {
 
 /// Something that draws from a generator, whichever it is.
 pub(crate) trait Draw: Copy + 'static {
-    type Out: Default + Heading + 'static;
+    type Out: Default + 'static;
     /// To be inlined: this wrapper shall cost nothing of its own.
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Self::Out;
-}
-
-/// A direction that knows its angle from the axis +y.
-pub(crate) trait Heading {
-    fn cos(&self) -> f64;
-}
-
-impl<T: Format, const N: usize> Heading for [T; N] {
-    fn cos(&self) -> f64 {
-        self[1].wide()
-    }
+    /// cos θ of what was drawn, θ from the axis +y.
+    fn cos(out: &Self::Out) -> f64;
 }
 
 /// Arguments to count over, and arguments to time over.
@@ -156,13 +146,15 @@ pub(crate) struct Words {
 
 impl Words {
     /// With the mean of cos θ.
-    fn of(sampler: impl Draw) -> (Words, f64) {
+    fn of<D: Draw>(sampler: D) -> (Words, f64) {
         let mut counter = Counter {
             rng: generator(),
             next_u32: 0,
             next_u64: 0,
         };
-        let sum: f64 = (0..DRAWS).map(|_| sampler.draw(&mut counter).cos()).sum();
+        let sum: f64 = (0..DRAWS)
+            .map(|_| D::cos(&sampler.draw(&mut counter)))
+            .sum();
         let words = Words {
             next_u32: counter.next_u32 as f64 / DRAWS as f64,
             next_u64: counter.next_u64 as f64 / DRAWS as f64,

@@ -6,6 +6,7 @@ use crate::accuracy::reference::Id;
 use crate::accuracy::rows::{Key, Row, keys, measure_all};
 use crate::accuracy::subject::{Subject, Tiers};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -30,14 +31,6 @@ pub(crate) struct Quantiles {
 pub(crate) struct Judged {
     pub(crate) errors: Vec<Row>,
     pub(crate) quantiles: Vec<Quantiles>,
-}
-
-/// A file is ours, or the bare rows of `rows::to_json`.
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Shape {
-    Whole(Judged),
-    Rows(Vec<Row>),
 }
 
 /// Every operation of every law in every type; all but f32's fixed laws by samples.
@@ -110,9 +103,16 @@ pub(crate) fn read(path: &Path) -> Result<(Vec<Row>, Option<Vec<Quantiles>>), St
         )
     };
     let text = std::fs::read_to_string(path).map_err(|e| explain(&e))?;
-    let (rows, quantiles) = match serde_json::from_str(&text).map_err(|e| explain(&e))? {
-        Shape::Whole(judged) => (judged.errors, Some(judged.quantiles)),
-        Shape::Rows(rows) => (rows, None),
+    let value: Value = serde_json::from_str(&text).map_err(|e| explain(&e))?;
+    // Bare rows are what `rows::to_json` writes.
+    let (rows, quantiles): (Vec<Row>, _) = if value.is_array() {
+        (
+            serde_json::from_value(value).map_err(|e| explain(&e))?,
+            None,
+        )
+    } else {
+        let judged: Judged = serde_json::from_value(value).map_err(|e| explain(&e))?;
+        (judged.errors, Some(judged.quantiles))
     };
     complete(&keys(), &rows.iter().map(Row::key).collect::<Vec<_>>()).map_err(|e| explain(&e))?;
     if let Some(found) = &quantiles {
@@ -136,7 +136,7 @@ fn complete(wanted: &[Key], found: &[Key]) -> Result<(), String> {
         let keys: Vec<_> = balance.iter().filter(|(_, n)| wrong(**n)).collect();
         let (first, _) = keys.first()?;
         let count = keys.len();
-        Some(format!("{count} rows {what}, such as {}", first.join(" ")))
+        Some(format!("{count} {what}, such as {}", first.join(" ")))
     };
     let faults = [
         differing(|n| n > 0, "are missing"),
@@ -146,6 +146,6 @@ fn complete(wanted: &[Key], found: &[Key]) -> Result<(), String> {
     if faults.is_empty() {
         Ok(())
     } else {
-        Err(format!("of {} rows {}", wanted.len(), faults.join("; ")))
+        Err(format!("of {} rows, {}", wanted.len(), faults.join("; ")))
     }
 }

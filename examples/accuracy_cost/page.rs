@@ -155,20 +155,17 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
 }
 
 fn against_scipy(out: &mut String, scipy: &Scipy) -> std::fmt::Result {
+    let decades = scipy.errors.values().flat_map(|c| c.keys());
+    let least = *decades.min().unwrap_or(&0);
     writeln!(
         out,
         "\n## `Disk.quantile` in f64 against SciPy {}\n\n\
          By `tools/scipy_peer.py`: time an element over {} uniform u, interleaved on one core, and worst relative\n\
-         errors from u = ½ down to 10^{}. The ufunc is what runs under `cosine.ppf`'s checks.\n\n\
+         errors from u = ½ down to {}. The ufunc is what runs under `cosine.ppf`'s checks.\n\n\
          | function | time, multiple of ours | θ | cos θ |\n|---|---|---|---|",
         scipy.version,
         scipy.elements,
-        scipy
-            .errors
-            .values()
-            .flat_map(|c| c.keys())
-            .min()
-            .unwrap_or(&0)
+        crate::axis::power_of_ten(f64::from(least))
     )?;
     let worst = |quantity: &str, function: &str| {
         let key = (quantity.to_owned(), function.to_owned());

@@ -133,7 +133,10 @@ fn warps(judged: &[Row], name: &str, law: &str) -> Vec<(f64, f64)> {
         let error = worst.entry((d.from, d.to)).or_default();
         *error = error.max(d.max_relative);
     }
-    let steps = worst.into_iter().flat_map(|((from, to), error)| {
+    let shown = worst
+        .into_iter()
+        .filter(|((_, to), _)| f64::from(*to) > DECADES.0);
+    let steps = shown.flat_map(|((from, to), error)| {
         let e = error.log10().clamp(ERRORS.0, 0.0);
         [(f64::from(from), e), (f64::from(to), e)]
     });

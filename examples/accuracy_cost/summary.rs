@@ -46,6 +46,8 @@ pub(crate) fn types(out: &mut String, rows: &[Row], judged: &Judged, types: &[St
         };
         let right = match missed {
             0 => "all".to_owned(),
+            // Not to be rounded to all of them.
+            _ if missed * 20_000 < tried => format!("all but {missed}"),
             _ => format!("{:.2} %", 100.0 * (1.0 - missed as f64 / tried as f64)),
         };
         let sample = find(&space, name, "sample");
@@ -101,7 +103,7 @@ pub(crate) fn fast(out: &mut String, rows: &[Row], laws: &[String], calls: &[&st
         "\n## `Fast<f32>` against `f32` on this host\n\n\
          Instructions of `f32` over those of `Fast<f32>`: at least 2 (bold) in {} of {} cells, below 1 in {}, where\n\
          `Fast` costs more than the plain type. Its roots are integer arithmetic, made for processors with no\n\
-         floating-point unit; a host has an instruction for √. Half the random words are also saved in the plane.\n\n\
+         floating-point unit; a host has an instruction for √.\n\n\
          | operation | {} |\n|---|{}",
         count(|x| x >= 2.0),
         all.len(),

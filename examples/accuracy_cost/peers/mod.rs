@@ -84,6 +84,9 @@ where
         let u = rng.random();
         (self.0)(u, rng.random())
     }
+    fn cos(out: &[T; 3]) -> f64 {
+        out[1].wide()
+    }
 }
 
 /// A spatial sampler whose first uniform is the sf of θ and whose second is the azimuth.
@@ -119,6 +122,9 @@ where
     #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
         (self.0)(rng.random())
+    }
+    fn cos(out: &[T; 2]) -> f64 {
+        out[1].wide()
     }
 }
 

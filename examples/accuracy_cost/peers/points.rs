@@ -56,6 +56,9 @@ where
         let length = Std::sqrt(square);
         d.map(|x| x / length)
     }
+    fn cos(out: &[T; N]) -> f64 {
+        out[1].wide()
+    }
 }
 
 fn add<T, D, const N: usize>(list: &mut Vec<Contender>, law: Id, name: &'static str, source: D)

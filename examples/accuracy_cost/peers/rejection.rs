@@ -40,6 +40,9 @@ where
             }
         }
     }
+    fn cos(out: &[T; 3]) -> f64 {
+        out[1].wide()
+    }
 }
 
 fn format<T: Format + SampleUniform>(list: &mut Vec<Contender>)
