@@ -26,6 +26,27 @@
 //! assert_eq!(Lambert.pdf_solid_angle(0.0), std::f32::consts::FRAC_1_PI);
 //! ```
 //!
+//! # Number types
+//!
+//! The number type names the accuracy and the cost; the laws and their names stay the same.
+//!
+//! | type | promise | computed in |
+//! |---|---|---|
+//! | [`Precise<f32>`](Precise) | correctly rounded | `f64`, double-double where a rounding is close |
+//! | [`Precise<f64>`](Precise) | 1 ulp | double-double |
+//! | `f32`, `f64` | 4 ulp | the format itself: `f32` never touches `f64` |
+//! | [`Fast<f32>`](Fast) | relative error 2⁻¹² | `f32` and 32-bit integers |
+//!
+//! ```
+//! use coslobe::{Disk, Fast, Law, Precise};
+//! let exact = Disk.quantile(Precise(0.1f32)).0; // the f32 nearest to the true angle
+//! let plain = Disk.quantile(0.1f32);
+//! let fast = Disk.quantile(Fast(0.1f32)).0;
+//! assert!((plain - exact).abs() <= 2e-7 && (fast - exact).abs() < 3e-4);
+//! ```
+//!
+//! What each costs is in [`accuracy`], measured beside its errors.
+//!
 //! # Where to enter
 //!
 //! Every stage is pure; only `sample` and [`uniform`] touch a generator:
@@ -38,8 +59,8 @@
 //!
 //! No allocation, no panic, no static memory, no unsafe code, no loop that a generator could hold up.
 //! The errors of every operation are within the table in [`accuracy`], which the tests read.
-//! Samples are unit vectors to 2 ulp, inside the open support, with positive finite density. `f32`
-//! uses no `f64` arithmetic. No feature changes a value.
+//! Samples are unit vectors to 2 ulp (of [`Fast`]: to 2⁻¹²), inside the open support, with positive
+//! finite density. `f32` and `Fast<f32>` use no `f64` arithmetic. No feature changes a value.
 //!
 //! Source of the laws: V. Chizhov, *Probability density functions of the normalized disk, circle,
 //! ball and sphere*; [`SphereShell`] and [`CircleShell`] say where its measure differs from its

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "accuracy_cost")]
 pub(crate) struct Args {
-    /// Judge every STRIDE-th f32; 1 is exhaustive and takes about an hour.
+    /// Judge every STRIDE-th f32; 1 is exhaustive and takes hours.
     #[arg(long, default_value_t = 10_007, value_parser = clap::value_parser!(u64).range(1..))]
     pub(crate) stride: u64,
 
@@ -19,12 +19,16 @@ pub(crate) struct Args {
     #[arg(long, default_value = "docs")]
     pub(crate) out: PathBuf,
 
-    /// Take the errors of our operations from accuracy_cost.csv in the folder and measure costs alone.
-    #[arg(long)]
+    /// Take the errors of our operations from accuracy_errors.json in the folder: measure costs alone.
+    #[arg(long, conflicts_with = "errors")]
     pub(crate) keep_errors: bool,
 
+    /// Take them from FILE: such a file, or the bare rows that tests/accuracy/rows.rs writes.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) errors: Option<PathBuf>,
+
     /// Write nothing: count instructions twice, expect no difference, and the right law of each sampler.
-    #[arg(long, conflicts_with = "keep_errors")]
+    #[arg(long, conflicts_with_all = ["keep_errors", "errors"])]
     pub(crate) check: bool,
 
     #[command(subcommand)]

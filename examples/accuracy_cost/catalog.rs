@@ -2,6 +2,7 @@
 
 use crate::accuracy::format::Format;
 use crate::accuracy::reference::Id;
+use crate::accuracy::values::Tier;
 use crate::cell::{Cell, Draw, generator, generator_cells};
 use crate::contender::{Contender, Measure, plain};
 use crate::errors;
@@ -9,8 +10,8 @@ use crate::inputs::{Uniforms, angles, pairs, probabilities};
 use crate::peers;
 use coslobe::rand_core::Rng;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, Planar, Spatial, SphereShell,
-    uniform,
+    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Precise,
+    Spatial, SphereShell, uniform,
 };
 use std::hint::black_box;
 use std::marker::PhantomData;
@@ -22,6 +23,9 @@ pub(crate) const EXPONENT: f64 = 20.0;
 fn types(list: &mut Vec<Contender>) {
     number::<f32>(list);
     number::<f64>(list);
+    number::<Precise<f32>>(list);
+    number::<Precise<f64>>(list);
+    number::<Fast<f32>>(list);
 }
 
 /// Everything that is measured, always in the same order.
@@ -57,18 +61,29 @@ impl Counted {
     }
 }
 
-fn number<T: Format>(list: &mut Vec<Contender>) {
+fn number<T: Tier>(list: &mut Vec<Contender>) {
     planar::<T, _>(list, Id::Disk, Disk);
     planar::<T, _>(list, Id::CircleShell, CircleShell);
     planar::<T, _>(list, Id::CircleArc, CircleArc);
     spatial::<T, _>(list, Id::Ball, Ball);
     spatial::<T, _>(list, Id::SphereShell, SphereShell);
     spatial::<T, _>(list, Id::Lambert, Lambert);
-    let power = CosPower::new(T::round(EXPONENT)).expect("a valid exponent");
+    let power = CosPower::new(of::<T>(EXPONENT)).expect("a valid exponent");
     spatial::<T, _>(list, Id::CosPower(EXPONENT), power);
 }
 
-fn add<T: Format>(
+fn of<T: Tier>(x: f64) -> T {
+    T::of(T::Raw::round(x))
+}
+
+fn typed<T: Tier>(at: CosSin<T::Raw>) -> CosSin<T> {
+    CosSin {
+        cos: T::of(at.cos),
+        sin: T::of(at.sin),
+    }
+}
+
+fn add<T: Tier>(
     list: &mut Vec<Contender>,
     law: Id,
     operation: &'static str,
@@ -83,59 +98,70 @@ fn add<T: Format>(
         law,
         operation,
         cell,
-        own: Uniforms::Full,
+        own: Uniforms::Down(8 * size_of::<uniform::TailBits<T>>() as i32),
         measure,
     });
 }
 
-fn law<T: Format, L: Law<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, law: L) {
-    let (theta, at) = (angles::<T>(id.planar()), pairs::<T>(id.planar()));
-    let p = probabilities::<T>();
+fn law<T: Tier, L: Law<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, law: L) {
+    let (theta, at) = (angles::<T::Raw>(id.planar()), pairs::<T::Raw>(id.planar()));
+    let p = probabilities::<T::Raw>();
     let mut pure = |name, cell| add::<T>(list, id, name, cell, None);
-    pure("pdf", Cell::of(&theta, move |x| law.pdf(x)));
-    pure("ln_pdf", Cell::of(&theta, move |x| law.ln_pdf(x)));
-    pure("cdf", Cell::of(&theta, move |x| law.cdf(x)));
-    pure("sf", Cell::of(&theta, move |x| law.sf(x)));
-    pure("density", Cell::of(&at, move |x| law.density(x)));
-    let weight = Cell::of(&at, move |x| law.lambert_weight(x));
+    pure("pdf", Cell::of(&theta, move |x| law.pdf(T::of(x))));
+    pure("ln_pdf", Cell::of(&theta, move |x| law.ln_pdf(T::of(x))));
+    pure("cdf", Cell::of(&theta, move |x| law.cdf(T::of(x))));
+    pure("sf", Cell::of(&theta, move |x| law.sf(T::of(x))));
+    pure("density", Cell::of(&at, move |x| law.density(typed(x))));
+    let weight = Cell::of(&at, move |x| law.lambert_weight(typed(x)));
     pure("lambert_weight", weight);
-    pure("unwarp", Cell::of(&at, move |x| law.unwarp(x)));
-    pure("unwarp_sf", Cell::of(&at, move |x| law.unwarp_sf(x)));
-    pure("warp", Cell::of(&p, move |x| law.warp(x)));
-    pure("warp_sf", Cell::of(&p, move |x| law.warp_sf(x)));
-    pure("isf", Cell::of(&p, move |x| law.isf(x)));
-    let cell = Cell::of(&p, move |x| law.quantile(x));
-    let measure: Measure =
-        Box::new(move |_, n| errors::of_quantile::<T>(id, n, |u| law.quantile(u)));
-    add::<T>(list, id, "quantile", cell, Some(measure));
+    pure("unwarp", Cell::of(&at, move |x| law.unwarp(typed(x))));
+    pure("unwarp_sf", Cell::of(&at, move |x| law.unwarp_sf(typed(x))));
+    pure("warp", Cell::of(&p, move |x| law.warp(T::of(x))));
+    pure("warp_sf", Cell::of(&p, move |x| law.warp_sf(T::of(x))));
+    pure("quantile", Cell::of(&p, move |x| law.quantile(T::of(x))));
+    pure("isf", Cell::of(&p, move |x| law.isf(T::of(x))));
 }
 
-fn planar<T: Format, L: Planar<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
+/// Errors of the directions that a sampler makes of the uniforms that it draws.
+fn directions<T: Tier, L: Law<T> + Copy + 'static, const N: usize>(
+    id: Id,
+    law: L,
+    direction: impl Fn(CosSin<T>) -> [T; N] + 'static,
+) -> Option<Measure> {
+    Some(Box::new(move |from, n| {
+        let raws = |at: CosSin<T>| direction(at).map(T::raw);
+        errors::of_entries::<T::Raw, N>(
+            id,
+            from,
+            n,
+            |p| raws(law.warp(T::of(p))),
+            |p| raws(law.warp_sf(T::of(p))),
+        )
+    }))
+}
+
+fn planar<T: Tier, L: Planar<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
     law::<T, L>(list, id, l);
-    let measure: Measure = Box::new(move |from, n| {
-        let direction = |at: coslobe::CosSin<T>| vec![at.sin, at.cos];
-        errors::of_entries::<T>(id, from, n, |p| l.warp(p), |p| l.warp_sf(p), direction)
-    });
+    let measure = directions(id, l, |at: CosSin<T>| [at.sin, at.cos]);
     let cell = Cell::drawing(InPlane(l, PhantomData::<T>));
-    add::<T>(list, id, "sample", cell, Some(measure));
+    add::<T>(list, id, "sample", cell, measure);
 }
 
-fn spatial<T: Format, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
+fn spatial<T: Tier, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
     law::<T, L>(list, id, l);
-    let solid = Cell::of(&angles::<T>(false), move |x| l.pdf_solid_angle(x));
+    let theta = angles::<T::Raw>(false);
+    let solid = Cell::of(&theta, move |x| l.pdf_solid_angle(T::of(x)));
     add::<T>(list, id, "pdf_solid_angle", solid, None);
-    let measure: Measure = Box::new(move |from, n| {
-        // Some azimuth: sin θ is judged as the direction holds it.
-        let azimuth = uniform::azimuth::<T, _>(&mut generator());
-        let direction =
-            |at: coslobe::CosSin<T>| vec![at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin];
-        errors::of_entries::<T>(id, from, n, |p| l.warp(p), |p| l.warp_sf(p), direction)
+    // Some azimuth: sin θ is judged as the direction holds it.
+    let azimuth = uniform::azimuth::<T, _>(&mut generator());
+    let measure = directions(id, l, move |at: CosSin<T>| {
+        [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
     });
     let cell = Cell::drawing(InSpace(l, PhantomData::<T>));
-    add::<T>(list, id, "sample", cell, Some(measure));
+    add::<T>(list, id, "sample", cell, measure);
     let around = Around {
         law: l,
-        normal: [0.48, 0.6, 0.64].map(T::round),
+        normal: [0.48, 0.6, 0.64].map(of::<T>),
     };
     add::<T>(list, id, "sample_around", Cell::drawing(around), None);
 }
@@ -150,26 +176,28 @@ struct Around<T, L> {
     normal: [T; 3],
 }
 
-impl<T: Format, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {
-    type Out = [T; 2];
+impl<T: Tier, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {
+    type Out = [T::Raw; 2];
     #[inline(always)]
-    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
-        self.0.sample(rng)
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T::Raw; 2] {
+        self.0.sample(rng).map(T::raw)
     }
 }
 
-impl<T: Format, L: Spatial<T> + Copy + 'static> Draw for InSpace<T, L> {
-    type Out = [T; 3];
+impl<T: Tier, L: Spatial<T> + Copy + 'static> Draw for InSpace<T, L> {
+    type Out = [T::Raw; 3];
     #[inline(always)]
-    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
-        self.0.sample(rng)
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T::Raw; 3] {
+        self.0.sample(rng).map(T::raw)
     }
 }
 
-impl<T: Format, L: Spatial<T> + Copy + 'static> Draw for Around<T, L> {
-    type Out = [T; 3];
+impl<T: Tier, L: Spatial<T> + Copy + 'static> Draw for Around<T, L> {
+    type Out = [T::Raw; 3];
     #[inline(always)]
-    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
-        self.law.sample_around(black_box(self.normal), rng)
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T::Raw; 3] {
+        self.law
+            .sample_around(black_box(self.normal), rng)
+            .map(T::raw)
     }
 }

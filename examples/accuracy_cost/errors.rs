@@ -1,20 +1,20 @@
-//! Relative errors by decade of the tail: one measure for ours and for the peers.
+//! Relative errors of samples and of peers by decade of the tail: one measure for all.
 
 use crate::accuracy::format::Format;
 use crate::accuracy::inverse::warp;
 use crate::accuracy::reference::Id;
 use crate::accuracy::wide::Wide;
 use crate::inputs::{Uniforms, tails};
-use coslobe::CosSin;
 use std::collections::BTreeMap;
 
-/// A tail begins where p < 10⁻³.
-const TAIL: i32 = -4;
+/// The tail: p at most this, as `tests/accuracy` has it.
+const TAIL: f64 = 1.0 / (1 << 20) as f64;
 
-/// Worst relative errors by decade ⌊log₁₀ p⌋ of the nearer tail p.
+/// Worst relative errors by decade ⌊log₁₀ p⌋ of the nearer tail p, and in the tail.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Errors {
     pub(crate) decades: BTreeMap<i32, f64>,
+    pub(crate) in_tail: Option<f64>,
     pub(crate) inputs: u64,
 }
 
@@ -24,16 +24,14 @@ impl Errors {
         let decade = p.max(f64::MIN_POSITIVE).log10().floor() as i32;
         let worst = self.decades.entry(decade).or_default();
         *worst = worst.max(error);
+        if p <= TAIL {
+            self.in_tail = Some(self.in_tail.map_or(error, |e| e.max(error)));
+        }
         self.inputs += 1;
     }
 
     pub(crate) fn worst(&self) -> f64 {
         self.decades.values().fold(0.0, |a, &b| a.max(b))
-    }
-
-    pub(crate) fn worst_in_tail(&self) -> Option<f64> {
-        let tail = self.decades.range(..=TAIL).map(|(_, &e)| e);
-        tail.reduce(f64::max)
     }
 }
 
@@ -102,19 +100,18 @@ pub(crate) fn of_map<T: Format, const N: usize>(
 }
 
 /// Errors of a law's own two entries: p as the cdf and as the sf.
-pub(crate) fn of_entries<T: Format>(
+pub(crate) fn of_entries<T: Format, const N: usize>(
     law: Id,
     from: Uniforms,
     n: u32,
-    lower: impl Fn(T) -> CosSin<T>,
-    upper: impl Fn(T) -> CosSin<T>,
-    direction: impl Fn(CosSin<T>) -> Vec<T>,
+    lower: impl Fn(T) -> [T; N],
+    upper: impl Fn(T) -> [T; N],
 ) -> Errors {
     let mut errors = Errors::default();
     for p in tails::<T>(from, n) {
         for (got, is_upper) in [(lower(p), false), (upper(p), true)] {
             let (want, p) = truth(law, p, is_upper);
-            errors.note(p, of_pair(polar(&direction(got)), want));
+            errors.note(p, of_pair(polar(&got), want));
         }
     }
     errors

@@ -65,8 +65,8 @@ pub(crate) enum Uniforms {
     All,
     /// Multiples of 2⁻²⁴ (`f32`) or 2⁻⁵³ (`f64`): what `rand` draws.
     Grid,
-    /// Down to 2⁻⁶⁵ (`f32`) or 2⁻¹²⁹ (`f64`): what this crate draws.
-    Full,
+    /// Down to 2⁻ⁿ⁻¹: what this crate makes of n random bits.
+    Down(i32),
 }
 
 /// p in (0, ½], n in each octave.
@@ -74,13 +74,7 @@ pub(crate) fn tails<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
     let octaves = match from {
         Uniforms::All => -T::LEAST - 1,
         Uniforms::Grid => T::DIGITS - 1,
-        Uniforms::Full => {
-            if T::DIGITS == 24 {
-                64
-            } else {
-                128
-            }
-        }
+        Uniforms::Down(bits) => bits,
     };
     let grid = 2f64.powi(T::DIGITS);
     let mut tails = vec![T::round(0.5)];

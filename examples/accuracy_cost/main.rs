@@ -2,14 +2,14 @@
 //! law in every number type, and of what others would write instead.
 //!
 //! ```text
-//! cargo run --release --example accuracy_cost                    # strided errors: a minute or two
-//! cargo run --release --example accuracy_cost -- --stride 1      # every f32: about an hour
+//! cargo run --release --example accuracy_cost                    # strided errors: some minutes
+//! cargo run --release --example accuracy_cost -- --stride 1 --samples 3000000   # every f32: hours
 //! cargo run --release --example accuracy_cost -- --keep-errors   # costs alone, errors as they stand
 //! cargo run --release --example accuracy_cost -- --check         # counts twice, expects no difference
 //! ```
 //!
-//! Writes `accuracy_cost.{csv,md,svg}` and `stability.svg`. Needs valgrind for the instructions
-//! (`apt install valgrind`); `docs/scipy.csv` comes from `tools/scipy_peer.py`.
+//! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
+//! instructions (`apt install valgrind`); `docs/scipy.csv` comes from `tools/scipy_peer.py`.
 
 #[path = "../../tests/accuracy/mod.rs"]
 mod accuracy;
@@ -26,9 +26,9 @@ mod check;
 mod contender;
 mod count;
 mod disk_quantile;
-mod error_half;
 mod errors;
 mod inputs;
+mod judged;
 mod label;
 mod machine;
 #[path = "../atlas/output.rs"]
@@ -40,6 +40,7 @@ mod row;
 mod scipy;
 mod stability;
 mod study;
+mod summary;
 mod tables;
 mod time;
 

@@ -1,9 +1,12 @@
 //! The readable table.
 
 use crate::cell::DRAWS;
+use crate::contender::plain;
+use crate::judged::Judged;
 use crate::machine::Machine;
 use crate::row::Row;
 use crate::scipy::Scipy;
+use crate::summary;
 use crate::time::ROUNDS;
 use std::fmt::Write;
 
@@ -37,61 +40,85 @@ pub(crate) struct About {
 
 pub(crate) fn markdown(
     rows: &[Row],
+    judged: &Judged,
     scipy: Option<&Scipy>,
     about: &About,
 ) -> Result<String, std::fmt::Error> {
     let mut out = String::new();
-    preface(&mut out, about)?;
     let laws = distinct(rows, |r| &r.law);
     let types = distinct_ours(rows);
+    head(&mut out, about)?;
+    summary::types(&mut out, rows, judged, &types)?;
+    writeln!(out, "\n## Instructions of a direction\n")?;
+    summary::directions(&mut out, rows, &laws, &types)?;
+    summary::fast(&mut out, rows, &laws, &OPERATIONS)?;
     quickest(&mut out, rows, &laws, &types)?;
     if let Some(scipy) = scipy {
         against_scipy(&mut out, scipy)?;
     }
+    summary::quantiles(&mut out, &judged.quantiles)?;
+    how(&mut out, about)?;
     for law in laws {
         let rows: Vec<&Row> = rows.iter().filter(|r| r.law == law).collect();
         writeln!(out, "\n## {law}\n")?;
-        crate::tables::summary(&mut out, &rows, &types, &OPERATIONS)?;
+        crate::tables::compact(&mut out, &rows, &types, &OPERATIONS)?;
         crate::tables::peers(&mut out, &rows, &types)?;
-        crate::tables::details(&mut out, &rows, &OPERATIONS)?;
+        crate::tables::details(&mut out, &law, &rows, &OPERATIONS)?;
+        if law.starts_with("CosPower") {
+            summary::exponents(&mut out, judged, &types)?;
+        }
     }
     Ok(out)
 }
 
-fn preface(out: &mut String, about: &About) -> std::fmt::Result {
+fn head(out: &mut String, about: &About) -> std::fmt::Result {
     let machine = &about.machine;
+    writeln!(
+        out,
+        "# What accuracy costs\n\n\
+         Written by `cargo run --release --example accuracy_cost`; do not edit. The same rows for a machine are in\n\
+         `docs/accuracy_cost.csv`, the errors at full length in `docs/accuracy_errors.json`, the pictures in\n\
+         `docs/accuracy_cost.svg` (error against instructions) and `docs/stability.svg` (error against u).\n\n\
+         Instructions and times on {}; compiled by {}, {}; counted by {}.\n\n\
+         ## The number types\n\n\
+         Errors: of any operation of the six fixed laws, anywhere in its domain; *relative* is the largest of\n\
+         |error| over the true value (or the least normal number, where that is larger). *Time* is a multiple of `f32`'s\n\
+         in the same run. *Words*: calls of `next_u32` + `next_u64` for a direction.\n",
+        machine.target, machine.compiler, machine.flags, machine.valgrind
+    )?;
+    if let Some(reason) = &about.skipped {
+        writeln!(out, "SKIPPED: instructions: {reason}.\n")?;
+    }
+    Ok(())
+}
+
+fn how(out: &mut String, about: &About) -> std::fmt::Result {
     let [single, double] = about
         .generator
         .map(|n| n.map_or("–".to_owned(), |n| format!("{n:.0}")));
     writeln!(
         out,
-        "# What accuracy costs\n\n\
-         Written by `cargo run --release --example accuracy_cost`; do not edit. The same rows are in\n\
-         [accuracy_cost.csv](accuracy_cost.csv).\n\n\
-         Measured on {}; compiled by {}, {}.\n\n\
-         * **ulp**: the largest error seen, in units in the last place of the true value; of `warp` that of\n\
-         \x20 the worse of cos θ and sin θ. *Exhaustive*: every number of the format; *observed (n)*: n of them.\n\
-         * **instr.**: instructions of a call by callgrind, exact and repeatable on one build: the mean over\n\
-         \x20 510 inputs, a third of them by decade, a third even, a third crowding at the ends; less an empty\n\
-         \x20 loop. `sample` is the mean of {DRAWS} draws and includes `rand_pcg::Pcg32`, of which a `next_u32` is\n\
-         \x20 {single} and a `next_u64` {double}. Peers on `std` run the C library's functions as it chooses them for this processor.\n\
-         * **time**: only as a ratio within this run: to the plain type of the same format, or of our types\n\
-         \x20 to a peer. The quickest of {ROUNDS} interleaved rounds over even inputs in random order, the loop and\n\
-         \x20 the generator included. It is good to some percent, and no more.\n\
-         * **words**: calls of the generator for a sample (`u32` + `u64`), mean.\n\
-         * **relative error** of a `sample` is that of (cos θ, sin θ), whichever is worse, at the uniforms that the\n\
-         \x20 sampler draws itself: 2⁻²⁴ apart (`f64`: 2⁻⁵³) for the peers, down to 2⁻⁶⁵ (2⁻¹²⁹) for ours. Peers\n\
-         \x20 that add a point to the normal are judged by their own draws against the exact point of the\n\
-         \x20 same uniforms. Of a `quantile` it is that of θ, at every decade of u from either end. *Tail*: p < 10⁻³.\n\
-         \x20 1 and more means that nothing of the value is left.",
-        machine.target, machine.compiler, machine.flags
-    )?;
-    if let Some(reason) = &about.skipped {
-        writeln!(out, "\nSKIPPED: instructions: {reason}.")?;
-    }
-    writeln!(
-        out,
-        "\n![Error against instructions](accuracy_cost.svg)\n\n![Error against u](stability.svg)"
+        "\n## How to read the laws' tables\n\n\
+         A cell of the first table of a law is **error · instructions · time**.\n\n\
+         * *Error*: the largest, in units in the last place (ulp) of the true value; of `Fast` and of `sample` the\n\
+         \x20 largest relative error. Of `warp` it is that of the worse of cos θ and sin θ. *Exhaustive*: every number of\n\
+         \x20 the format; *observed (n)*: n of them. f32 is judged against f64 formulas, f64 against double-double, both of them\n\
+         \x20 checked against Arb's tables in `tests/reference/`, doubtful cases by wider ones. For operations on pairs the input is\n\
+         \x20 the angle whose rounded (cos θ, sin θ) was the pair; planar laws are tried at ±θ; for operations on\n\
+         \x20 probabilities it is the nearer tail p, which is the whole domain since 1 − u is exact for u ≥ ½.\n\
+         \x20 *Tail*: the nearer tail p, θ or π/2 − θ at most 2⁻²⁰.\n\
+         * *Instructions* of a call by callgrind, exact and repeatable on one build: the mean over 510 inputs, a third of\n\
+         \x20 them by decade, a third even, a third crowding at the ends; less an empty loop. `sample` is the mean of {DRAWS}\n\
+         \x20 draws and includes `rand_pcg::Pcg32`, of which a `next_u32` is {single} and a `next_u64` {double}. Peers on `std` run\n\
+         \x20 the C library's functions as it chooses them for this processor. `CosPower` is counted at exponent 20.\n\
+         * *Time*: only as a ratio within this run, to the plain type of the same format. The quickest of {ROUNDS}\n\
+         \x20 interleaved rounds over even inputs in random order, the loop and the generator included. It is good to\n\
+         \x20 some percent, and no more.\n\
+         * *Relative error of a `sample`*: that of (cos θ, sin θ), whichever is worse, at the uniforms that the sampler draws\n\
+         \x20 itself: 2⁻²⁴ apart (`f64`: 2⁻⁵³) for the peers; down to 2⁻⁶⁵ (`f64`: 2⁻¹²⁹, `Fast<f32>`: 2⁻³³) for ours. Peers that\n\
+         \x20 add a point to the normal are judged by their own draws against the exact point of the same uniforms; –: no draw\n\
+         \x20 fell there. Of a peer's `quantile` it is that of θ, at every decade of u from either end. 1 and more means\n\
+         \x20 that nothing of the value is left."
     )
 }
 
@@ -100,30 +127,29 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
     writeln!(
         out,
         "\n## Directions against the quickest peer\n\n\
-         Time of `sample` as a multiple of the quickest peer of the same format.\n\n\
-         | law | {} |\n|---|{}",
-        types.join(" | "),
-        "---|".repeat(types.len())
+         Time of `sample` as a multiple of that of the quickest peer of the same format."
     )?;
-    for law in laws {
-        write!(out, "| {law} |")?;
-        for name in types {
-            let samples = || {
-                rows.iter()
-                    .filter(|r| r.law == *law && r.operation == "sample")
+    for format in ["f32", "f64"] {
+        let types: Vec<&String> = types.iter().filter(|name| plain(name) == format).collect();
+        write!(out, "\n| law | quickest peer |")?;
+        types
+            .iter()
+            .try_for_each(|name| write!(out, " `{name}` |"))?;
+        writeln!(out, "\n|---|---|{}", "---|".repeat(types.len()))?;
+        for law in laws {
+            let samples = |ours: bool| {
+                rows.iter().filter(move |r| {
+                    r.law == *law && r.operation == "sample" && r.format == format && r.ours == ours
+                })
             };
-            let ours = samples().find(|r| r.name == *name);
-            let peers = samples().filter(|r| !r.ours && Some(&r.format) == ours.map(|o| &o.format));
-            let best = peers.min_by(|a, b| a.time_to_plain.total_cmp(&b.time_to_plain));
-            match (ours, best) {
-                (Some(ours), Some(peer)) => {
-                    let ratio = ours.time_to_plain / peer.time_to_plain;
-                    write!(out, " {ratio:.2} × {} |", peer.name)?;
-                }
-                _ => write!(out, " – |")?,
+            let best = samples(false).min_by(|a, b| a.time_to_plain.total_cmp(&b.time_to_plain));
+            let Some(peer) = best else { continue };
+            write!(out, "| {law} | {} |", peer.name)?;
+            for row in samples(true) {
+                write!(out, " {:.2} |", row.time_to_plain / peer.time_to_plain)?;
             }
+            writeln!(out)?;
         }
-        writeln!(out)?;
     }
     Ok(())
 }

@@ -4,19 +4,18 @@ use crate::axis::{Axis, superscript};
 use crate::canvas::{
     AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, RED, TEAL, bold, heading, line, px, svg, text,
 };
-use crate::contender::{Contender, law_name};
 use crate::label::{self, Mark};
 use crate::row::Row;
 use plotters::prelude::*;
 use std::error::Error;
 
 const COLUMNS: usize = 3;
-const PANEL: (f64, f64) = (450.0, 330.0);
+const PANEL: (f64, f64) = (450.0, 360.0);
 const TOP: f64 = 64.0;
 /// The plot inside a panel: left, top, right, bottom.
-const FRAME: (f64, f64, f64, f64) = (62.0, 40.0, 438.0, 286.0);
+const FRAME: (f64, f64, f64, f64) = (62.0, 36.0, 438.0, 318.0);
 /// log₂ of the errors shown; what is beyond stands at the edge.
-const ERRORS: (f64, f64) = (-56.0, 4.0);
+const ERRORS: (f64, f64) = (-60.0, 9.0);
 
 /// Colour of a contender: by format, ours apart from the peers.
 pub(crate) fn color(ours: bool, format: &str) -> RGBColor {
@@ -28,11 +27,11 @@ pub(crate) fn color(ours: bool, format: &str) -> RGBColor {
     }
 }
 
-pub(crate) fn draw(list: &[Contender], rows: &[Row]) -> Result<String, Box<dyn Error>> {
+pub(crate) fn draw(rows: &[Row]) -> Result<String, Box<dyn Error>> {
     let mut panels: Vec<(String, &str)> = Vec::new();
     for operation in ["sample", "quantile"] {
-        for c in list.iter().filter(|c| c.operation == operation) {
-            let panel = (law_name(c.law), operation);
+        for row in rows.iter().filter(|r| r.operation == operation) {
+            let panel = (row.law.clone(), operation);
             if !panels.contains(&panel) {
                 panels.push(panel);
             }
@@ -66,21 +65,20 @@ pub(crate) fn draw(list: &[Contender], rows: &[Row]) -> Result<String, Box<dyn E
                 .clone()
                 .shrink((px(left), px(top)), (px(PANEL.0), px(PANEL.1)));
             heading(&part, &format!("{law}: {operation}"))?;
-            let points = list
+            let points = rows
                 .iter()
-                .zip(rows)
-                .filter(|(_, r)| r.law == *law && r.operation == *operation);
+                .filter(|r| r.law == *law && r.operation == *operation);
             panel(&part, &points.collect::<Vec<_>>())?;
         }
         Ok(())
     })
 }
 
-fn panel(area: &Area, points: &[(&Contender, &Row)]) -> Drawn {
-    let shown: Vec<(&Contender, f64, f64)> = points
+fn panel(area: &Area, points: &[&Row]) -> Drawn {
+    let shown: Vec<(&Row, f64, f64)> = points
         .iter()
-        .filter_map(|(c, r)| Some((*c, r.instructions?, r.max_relative?)))
-        .map(|(c, n, e)| (c, n.max(1.0).log10(), e.log2().clamp(ERRORS.0, 0.0)))
+        .filter_map(|r| Some((*r, r.instructions?, r.max_relative?)))
+        .map(|(c, n, e)| (c, n.max(1.0).log10(), e.log2().clamp(ERRORS.0 + 2.0, 0.0)))
         .collect();
     let ends = |f: fn(f64, f64) -> f64, start| shown.iter().map(|p| p.1).fold(start, f);
     let (least, most) = (
@@ -138,7 +136,7 @@ fn panel(area: &Area, points: &[(&Contender, &Row)]) -> Drawn {
                 x,
                 y,
                 words: c.short.clone(),
-                color: color(c.ours, c.format),
+                color: color(c.ours, &c.format),
                 ours: c.ours,
             }
         })
@@ -148,7 +146,7 @@ fn panel(area: &Area, points: &[(&Contender, &Row)]) -> Drawn {
 }
 
 /// Steps along the points that no other beats in both.
-fn front(points: &[(&Contender, f64, f64)]) -> Vec<(f64, f64)> {
+fn front(points: &[(&Row, f64, f64)]) -> Vec<(f64, f64)> {
     let mut sorted: Vec<(f64, f64)> = points.iter().map(|p| (p.1, p.2)).collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let mut steps: Vec<(f64, f64)> = Vec::new();

@@ -1,5 +1,6 @@
 //! The second plot: relative error against log₁₀ u.
 
+use crate::accuracy::rows::{self, Row};
 use crate::axis::{Axis, power_of_ten};
 use crate::canvas::{
     AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, RED, TEAL, bold, heading, line, px, svg, text,
@@ -8,6 +9,7 @@ use crate::contender::{Contender, law_name};
 use crate::errors::Errors;
 use crate::scipy::{OURS, Scipy};
 use plotters::prelude::*;
+use std::collections::BTreeMap;
 use std::error::Error;
 
 const COLUMNS: usize = 3;
@@ -42,6 +44,7 @@ struct Curve {
 pub(crate) fn draw(
     list: &[Contender],
     everywhere: &[Option<Errors>],
+    judged: &[Row],
     scipy: Option<&Scipy>,
 ) -> Result<String, Box<dyn Error>> {
     let mut laws: Vec<String> = Vec::new();
@@ -67,7 +70,7 @@ pub(crate) fn draw(
                 .clone()
                 .shrink((px(left), px(top)), (px(PANEL.0), px(PANEL.1)));
             heading(&part, law)?;
-            panel(&part, &curves(law, list, everywhere, scipy))?;
+            panel(&part, &curves(law, list, everywhere, judged, scipy))?;
         }
         Ok(())
     })
@@ -78,23 +81,27 @@ fn curves(
     law: &str,
     list: &[Contender],
     everywhere: &[Option<Errors>],
+    judged: &[Row],
     scipy: Option<&Scipy>,
 ) -> Vec<Curve> {
     let (mut own, mut theirs) = (OURS_COLORS.iter().cycle(), PEER_COLORS.iter().cycle());
     let mut curves = Vec::new();
     for (c, errors) in list.iter().zip(everywhere) {
-        let shown = c.ours || c.name.contains(", std ");
-        let (Some(errors), true) = (errors, shown && c.operation == "sample") else {
-            continue;
-        };
-        if law_name(c.law) != law {
+        if law_name(c.law) != law || c.operation != "sample" {
             continue;
         }
+        let points = match errors {
+            _ if c.ours => warps(judged, &c.name, &rows::law_name(c.law)),
+            Some(errors) if c.name.contains(", std ") => {
+                errors.decades.iter().map(|(&d, &e)| point(d, e)).collect()
+            }
+            _ => continue,
+        };
         let color = if c.ours { own.next() } else { theirs.next() };
         curves.push(Curve {
             name: c.short.clone(),
             color: *color.unwrap_or(&INK),
-            points: errors.decades.iter().map(|(&d, &e)| point(d, e)).collect(),
+            points,
             ours: c.ours,
         });
     }
@@ -114,6 +121,25 @@ fn curves(
         }
     }
     curves
+}
+
+/// The worse of cos θ and sin θ of both warps, as steps over the decades of p: f64 shares seven.
+fn warps(judged: &[Row], name: &str, law: &str) -> Vec<(f64, f64)> {
+    let mut worst: BTreeMap<(i32, i32), f64> = BTreeMap::new();
+    let warps = judged
+        .iter()
+        .filter(|r| r.tier == name && r.law == law && r.operation.starts_with("warp"));
+    for d in warps.flat_map(|r| &r.decades) {
+        let error = worst.entry((d.from, d.to)).or_default();
+        *error = error.max(d.max_relative);
+    }
+    let steps = worst.into_iter().flat_map(|((from, to), error)| {
+        let e = error.log10().clamp(ERRORS.0, 0.0);
+        [(f64::from(from), e), (f64::from(to), e)]
+    });
+    // The picture's edge cuts a step.
+    let cut = steps.map(|(p, e)| (p.max(DECADES.0), e));
+    cut.collect()
 }
 
 /// The middle of a decade, and log₁₀ of the error.
@@ -153,7 +179,7 @@ fn panel(area: &Area, curves: &[Curve]) -> Drawn {
         .y_desc("relative error")
         .draw()?;
     for curve in curves.iter().rev() {
-        let within = curve.points.iter().filter(|p| p.0 > DECADES.0);
+        let within = curve.points.iter().filter(|p| p.0 >= DECADES.0);
         let points: Vec<(f64, f64)> = within.copied().collect();
         let width = if curve.ours { 2.2 } else { 1.3 };
         chart.draw_series([PathElement::new(points, line(curve.color, width))])?;

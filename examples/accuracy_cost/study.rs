@@ -1,18 +1,20 @@
 //! The whole study: measures, then writes all files at once.
 
+use crate::accuracy::rows::{law_name, total_inputs};
 use crate::args::Args;
 use crate::catalog::Counted;
 use crate::contender::Contender;
 use crate::count::{Missing, counts};
-use crate::error_half;
 use crate::errors::Errors;
 use crate::inputs::Uniforms;
+use crate::judged::{self, Judged};
 use crate::machine::Machine;
-use crate::row::{Error, Key, Row, csv, read_errors};
+use crate::row::{Row, csv};
 use crate::time::times;
 use crate::{output, page, pareto, scipy, stability};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::HashMap;
+use std::error::Error;
 
 /// Uniforms in each octave that a relative error is the worst of.
 const PER_OCTAVE: u32 = 64;
@@ -24,7 +26,7 @@ pub(crate) fn bar(name: &'static str, total: u64) -> ProgressBar {
     ProgressBar::new(total).with_style(style).with_message(name)
 }
 
-pub(crate) fn run(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     output::check(&args.out)?;
     let scipy = scipy::read(&args.out.join("scipy.csv"))?;
     let judged = our_errors(args)?;
@@ -46,50 +48,64 @@ pub(crate) fn run(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
     progress.finish_and_clear();
 
     let progress = bar("relative errors", 2 * list.len() as u64);
-    let measured = |from: fn(&Contender) -> Uniforms| -> Vec<Option<Errors>> {
+    let measured = |from: fn(&Contender) -> Option<Uniforms>| -> Vec<Option<Errors>> {
         let each = list.iter().map(|c| {
             progress.inc(1);
-            c.measure.as_ref().map(|m| m(from(c), PER_OCTAVE))
+            let measure = c.measure.as_ref()?;
+            Some(measure(from(c)?, PER_OCTAVE))
         });
         each.collect()
     };
-    let own = measured(|c| c.own);
-    let everywhere = measured(|_| Uniforms::All);
+    let own = measured(|c| Some(c.own));
+    // The stability picture has ours from the judged rows.
+    let everywhere = measured(|c| (!c.ours && c.operation == "sample").then_some(Uniforms::All));
     progress.finish_and_clear();
 
     let rows = rows(&list, counts, &times, &own, &judged);
     let mut staging = output::Staging::new(&args.out)?;
+    staging.add(judged::FILE.to_owned(), &judged::to_json(&judged)?)?;
     staging.add("accuracy_cost.csv".to_owned(), &csv(&rows)?)?;
     let about = page::About {
         machine: Machine::here(),
         generator: [generator[0], generator[1]],
         skipped: skipped.clone(),
     };
-    let text = page::markdown(&rows, scipy.as_ref(), &about)?;
+    let text = page::markdown(&rows, &judged, scipy.as_ref(), &about)?;
     staging.add("accuracy_cost.md".to_owned(), &text)?;
     match &skipped {
         Some(reason) => eprintln!("SKIPPED: instructions and accuracy_cost.svg: {reason}"),
-        None => staging.add("accuracy_cost.svg".to_owned(), &pareto::draw(&list, &rows)?)?,
+        None => staging.add("accuracy_cost.svg".to_owned(), &pareto::draw(&rows)?)?,
     }
-    let picture = stability::draw(&list, &everywhere, scipy.as_ref())?;
+    let picture = stability::draw(&list, &everywhere, &judged.errors, scipy.as_ref())?;
     staging.add("stability.svg".to_owned(), &picture)?;
     staging.publish()?;
     println!("Wrote {}", args.out.join("accuracy_cost.md").display());
     Ok(())
 }
 
-/// The errors of our operations: measured, or those of the table that stands.
-fn our_errors(args: &Args) -> Result<HashMap<Key, Error>, String> {
-    if args.keep_errors {
-        return read_errors(&args.out.join("accuracy_cost.csv"));
-    }
-    let progress = bar("errors", error_half::work(args.stride, args.samples));
-    let judged = error_half::measure(args.stride, args.samples, |n| progress.inc(n));
-    progress.finish_and_clear();
-    let entries = judged.into_iter();
-    Ok(entries
-        .map(|j| ((j.law, j.operation, j.name), j.error))
-        .collect())
+/// The errors of our operations: measured, or those of a file.
+fn our_errors(args: &Args) -> Result<Judged, String> {
+    let standing = args.out.join(judged::FILE);
+    let file = args
+        .keep_errors
+        .then_some(&standing)
+        .or(args.errors.as_ref());
+    let (errors, quantiles) = match file {
+        Some(path) => judged::read(path)?,
+        None => {
+            let progress = bar("errors", total_inputs(args.stride, args.samples));
+            let errors = judged::measure(args.stride, args.samples, |n| progress.inc(n));
+            progress.finish_and_clear();
+            (errors, None)
+        }
+    };
+    let quantiles = quantiles.unwrap_or_else(|| {
+        let progress = bar("quantiles", judged::quantile_keys().len() as u64);
+        let quantiles = judged::quantiles(args.stride, args.samples, || progress.inc(1));
+        progress.finish_and_clear();
+        quantiles
+    });
+    Ok(Judged { errors, quantiles })
 }
 
 fn rows(
@@ -97,29 +113,34 @@ fn rows(
     counts: &[Option<f64>],
     times: &[f64],
     own: &[Option<Errors>],
-    judged: &HashMap<Key, Error>,
+    judged: &Judged,
 ) -> Vec<Row> {
-    let plain = |c: &Contender| {
-        let same = |p: &&(&Contender, &f64)| {
-            p.0.name == c.format && p.0.law == c.law && p.0.operation == c.operation
-        };
-        let pairs: Vec<_> = list.iter().zip(times).collect();
-        pairs.iter().find(same).map_or(f64::NAN, |p| *p.1)
-    };
-    let measured = list.iter().zip(times).zip(counts).zip(own);
-    measured
-        .map(|(((c, time), count), own)| {
-            let mut row = Row::new(c, *count, time / plain(c));
-            if let Some(error) = judged.get(&row.key()).filter(|_| c.ours) {
-                row.set(error.clone());
-            }
-            if let Some(own) = own {
-                // Samples and peers have no other judge; a quantile keeps its own worst.
-                row.inputs = row.inputs.or(Some(own.inputs));
-                row.max_relative = row.max_relative.or(Some(own.worst()));
-                row.max_relative_tail = row.max_relative_tail.or(own.worst_in_tail());
-            }
-            row
-        })
-        .collect()
+    let of_ours: HashMap<_, f64> = list
+        .iter()
+        .zip(times)
+        .filter(|(c, _)| c.ours)
+        .map(|(c, &time)| ((c.name.as_str(), law_name(c.law), c.operation), time))
+        .collect();
+    let mut rows = Vec::new();
+    for (((c, &time), &count), own) in list.iter().zip(times).zip(counts).zip(own) {
+        let law = law_name(c.law);
+        let of = |name| of_ours.get(&(name, law.clone(), c.operation)).copied();
+        let times = [
+            time,
+            of("f32").unwrap_or(f64::NAN),
+            of(c.format).unwrap_or(f64::NAN),
+        ];
+        let row = Row::new(c, count, times);
+        let results = judged.errors.iter().filter(|e| {
+            let call = e.operation.split(':').next();
+            c.ours && e.tier == c.name && e.law == law && call == Some(c.operation)
+        });
+        let results: Vec<Row> = results.map(|e| row.clone().with_judged(e)).collect();
+        match own {
+            _ if !results.is_empty() => rows.extend(results),
+            Some(own) => rows.push(row.with_own(own)),
+            None => rows.push(row),
+        }
+    }
+    rows
 }

@@ -1,4 +1,4 @@
-//! Cube root: an integer guess, Halley steps, and a last step from a shortened iterate.
+//! Cube root without a division: from an integer guess of 1/∛x, and a last step from a shortened ∛x.
 
 use super::pair::Pair;
 use crate::number::native::Native;
@@ -12,24 +12,38 @@ pub(crate) fn refine<T: Native>(t: T, x: T) -> Pair<T> {
     Pair::fast_sum(t, rest)
 }
 
-/// ∛(k·x) for x ≥ 0 and moderate k > 0; subnormal x keeps its precision. Error < 1 ulp.
+/// ∛(y·`CBRT_DOWN`³), for y = 0 and for normal y far from underflow and overflow.
 ///
-/// The last iterate is cut to half its digits, so that its square is exact and the residual
-/// k·x/t² − t carries no error of its own.
-#[inline]
-pub(crate) fn cbrt_times<T: Native>(k: Pair<T>, x: T) -> T {
-    let tiny = x < T::CBRT_TINY;
-    let x = if tiny { x * T::CBRT_UP } else { x };
-    let y = x * k.hi + x * k.lo;
-    let mut t = y.cbrt_guess();
+/// With e = 1 − y·r³, r(1 + e/3 + 2e²/9 + 14e³/81) is 1/∛y to the fourth power of r's error. The
+/// last iterate t is cut to half its digits, so that its square is exact, and with s the correction
+/// (y − t³)/(3y^⅔) the root is t + s + s²/t + ….
+#[inline(always)]
+fn scaled<T: Native>(y: T) -> T {
+    let third = T::CBRT_THIRD;
+    let mut r = y.cbrt_recip_guess();
+    let e = T::ONE - (y * r) * (r * r);
+    let bend = T::CBRT_SECOND + e * T::CBRT_FOURTH;
+    r = r + (r * e) * (third + e * bend);
     for _ in 0..T::CBRT_STEPS {
-        let cube = t * t * t;
-        // The ratio first: t·(y − t³) alone could underflow.
-        t = t + t * ((y - cube) / (cube + cube + y));
+        let e = T::ONE - (y * r) * (r * r);
+        r = r + (r * e) * third;
     }
-    let t = t.leading_half();
-    let r = y / (t * t);
-    let root = t + t * ((r - t) / (t + t + r));
-    let root = if tiny { root * T::CBRT_DOWN } else { root };
-    if x == T::ZERO { x } else { root }
+    let square = r * r;
+    // Raised by half the place that it is cut at: cutting then rounds.
+    let t = (y * T::CBRT_RAISE * square).leading_half();
+    let s = (y - t * t * t) * (square * third);
+    (t + (s + s * s * r)) * T::CBRT_DOWN
+}
+
+/// ∛x for x ≥ 0, at most moderately large. Error < 1 ulp.
+#[inline(always)]
+pub(crate) fn cbrt<T: Native>(x: T) -> T {
+    // Scaled up always, so that subnormal numbers need no branch.
+    scaled(x * T::CBRT_UP)
+}
+
+/// ∛(k·x) for x ≥ 0 and moderate k > 0. Error < 1 ulp.
+#[inline(always)]
+pub(crate) fn cbrt_times<T: Native>(k: Pair<T>, x: T) -> T {
+    scaled(x * (k.hi * T::CBRT_UP) + x * (k.lo * T::CBRT_UP))
 }

@@ -7,7 +7,7 @@
 
 use super::cbrt::cbrt_times;
 use super::pair::Pair;
-use super::poly::horner;
+use super::poly::{by_fours, horner};
 use super::trig::{from_end, small};
 use crate::CosSin;
 use crate::number::native::Native;
@@ -46,47 +46,56 @@ pub(crate) fn tail_at_pair<T: Native>(cos: T, sin: T) -> T {
     }
 }
 
-/// The angle whose nearer tail is p ≤ ½: from the end where p < ⅛ (`true`), else from the axis.
-#[inline]
-fn solve<T: Native>(p: T) -> (Pair<T>, bool) {
-    let table = &T::TABLE;
-    if p < T::QUARTER * T::HALF {
-        let s = cbrt_times(T::CONSTANTS.twelve_pi, p);
-        let t = s * s;
-        let eta = Pair::fast_sum(s * T::HALF, s * t * horner(t, table.kepler_tail));
-        (eta, true)
-    } else {
-        let d = T::HALF - p;
-        let w = d * d;
-        // θ = d + (d/2 + small): d is exact, so rounding cannot undo a step of it and θ is monotone.
-        let excess = (T::CONSTANTS.half_pi.hi - T::ONE - T::HALF) + T::CONSTANTS.half_pi.lo;
-        let rest = d * T::HALF + d * (excess + w * horner(w, table.kepler_centre));
-        (Pair::fast_sum(d, rest), false)
-    }
+/// The tail below which an angle is measured from the end, above which from the axis.
+#[inline(always)]
+fn split<T: Native>() -> T {
+    T::QUARTER * T::HALF
+}
+
+/// The angle from the end whose tail is p < ⅛.
+#[inline(always)]
+fn from_end_at<T: Native>(p: T) -> Pair<T> {
+    let s = cbrt_times(T::CONSTANTS.twelve_pi, p);
+    let t = s * s;
+    let bend = by_fours(t, T::TABLE.kepler_tail);
+    Pair::fast_sum(s * T::HALF, s * t * bend)
+}
+
+/// The angle from the axis whose nearer tail is p ≥ ⅛, as d = ½ − p and the rest.
+///
+/// d is exact, so rounding cannot undo a step of it and their sum is monotone.
+#[inline(always)]
+fn from_axis_at<T: Native>(p: T) -> (T, T) {
+    let d = T::HALF - p;
+    let w = d * d;
+    let excess = (T::CONSTANTS.half_pi.hi - T::ONE - T::HALF) + T::CONSTANTS.half_pi.lo;
+    let bend = by_fours(w, T::TABLE.kepler_centre);
+    (d, d * T::HALF + (d * excess + d * w * bend))
 }
 
 /// (cos θ, |sin θ|) at the nearer tail p.
 #[inline]
 pub(crate) fn pair_at_tail<T: Native>(p: T) -> CosSin<T> {
-    let (x, at_end) = solve(p);
-    let CosSin { cos, sin } = small(x);
-    let (cos, sin) = (cos.value(), sin.value());
-    if at_end {
-        CosSin { cos: sin, sin: cos }
+    let x = if p < split() {
+        from_end_at(p)
     } else {
-        CosSin { cos, sin }
-    }
+        let (d, rest) = from_axis_at(p);
+        Pair::fast_sum(d, rest)
+    };
+    let CosSin { cos, sin } = small(x);
+    let (cos, sin) = T::swap_if_odd((p - split()).sign_bit(), cos.value(), sin.value());
+    CosSin { cos, sin }
 }
 
 /// |θ| at the nearer tail p. Rounded once from a pair, hence monotone in p.
 #[inline]
 pub(crate) fn angle_at_tail<T: Native>(p: T) -> T {
-    let (x, at_end) = solve(p);
-    if at_end {
-        let end = T::CONSTANTS.half_pi;
-        let theta = Pair::fast_sum(end.hi, -x.hi);
-        theta.hi + (theta.lo + (end.lo - x.lo))
+    if p < split() {
+        let (eta, end) = (from_end_at(p), T::CONSTANTS.half_pi);
+        let theta = Pair::fast_sum(end.hi, -eta.hi);
+        theta.hi + (theta.lo + (end.lo - eta.lo))
     } else {
-        x.value()
+        let (d, rest) = from_axis_at(p);
+        d + rest
     }
 }

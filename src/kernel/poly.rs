@@ -13,6 +13,18 @@ pub(crate) fn horner<T: Native>(x: T, c: &[T]) -> T {
     }
 }
 
+/// Σ cᵢ xⁱ for a long series: every fourth term by itself, so that the sums do not wait for each other.
+#[inline(always)]
+pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let sum = |i| {
+        let terms = c.iter().copied().skip(i).step_by(4).rev();
+        terms.reduce(|sum, k| sum * x4 + k).unwrap_or(T::ZERO)
+    };
+    (sum(0) + x2 * sum(2)) + x * (sum(1) + x2 * sum(3))
+}
+
 /// Σ cᵢ xⁱ with the leading terms summed as pairs.
 #[inline]
 pub(crate) fn horner_pair<T: Native>(x: Pair<T>, c: &Series<T>) -> Pair<T> {

@@ -20,6 +20,7 @@ use rand_core::Rng;
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` for `f32`, two for `f64`.
+/// Costs: beside the errors in [`accuracy`](crate::accuracy), for every number type.
 ///
 /// ```
 /// use coslobe::{CircleArc, Law};

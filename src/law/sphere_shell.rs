@@ -22,6 +22,7 @@ use rand_core::Rng;
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
 /// `next_u64` for `f64`.
+/// Costs: beside the errors in [`accuracy`](crate::accuracy), for every number type.
 ///
 /// ```
 /// use coslobe::{Law, SphereShell};

@@ -106,10 +106,13 @@ impl Native for f32 {
     const NEGLIGIBLE: f32 = power_of_two(-18);
     const ROOT_UP: f32 = power_of_two(24);
     const ROOT_DOWN: f32 = power_of_two(-12);
-    const CBRT_TINY: f32 = power_of_two(-100);
     const CBRT_UP: f32 = power_of_two(60);
     const CBRT_DOWN: f32 = power_of_two(-20);
-    const CBRT_STEPS: usize = 1;
+    const CBRT_STEPS: usize = 0;
+    const CBRT_THIRD: f32 = 1.0 / 3.0;
+    const CBRT_SECOND: f32 = 2.0 / 9.0;
+    const CBRT_FOURTH: f32 = 14.0 / 81.0;
+    const CBRT_RAISE: f32 = 1.0 + power_of_two(-12);
 
     #[inline(always)]
     fn to_u32(self) -> u32 {
@@ -171,9 +174,9 @@ impl Native for f32 {
     }
 
     #[inline(always)]
-    fn cbrt_guess(self) -> f32 {
-        // Divides the exponent by 3; the constant restores the bias and centres the error.
-        f32::from_bits(self.to_bits() / 3 + 0x2A51_19F2)
+    fn cbrt_recip_guess(self) -> f32 {
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        f32::from_bits(0x54A2_1000 - self.to_bits() / 3)
     }
 }
 

@@ -111,10 +111,13 @@ impl Native for f64 {
     const NEGLIGIBLE: f64 = power_of_two(-34);
     const ROOT_UP: f64 = power_of_two(54);
     const ROOT_DOWN: f64 = power_of_two(-27);
-    const CBRT_TINY: f64 = power_of_two(-900);
     const CBRT_UP: f64 = power_of_two(300);
     const CBRT_DOWN: f64 = power_of_two(-100);
-    const CBRT_STEPS: usize = 2;
+    const CBRT_STEPS: usize = 1;
+    const CBRT_THIRD: f64 = 1.0 / 3.0;
+    const CBRT_SECOND: f64 = 2.0 / 9.0;
+    const CBRT_FOURTH: f64 = 14.0 / 81.0;
+    const CBRT_RAISE: f64 = 1.0 + power_of_two(-26);
 
     #[inline(always)]
     fn to_u32(self) -> u32 {
@@ -176,9 +179,9 @@ impl Native for f64 {
     }
 
     #[inline(always)]
-    fn cbrt_guess(self) -> f64 {
-        // Divides the exponent by 3; the constant restores the bias and centres the error.
-        f64::from_bits(self.to_bits() / 3 + (715_094_163 << 32))
+    fn cbrt_recip_guess(self) -> f64 {
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        f64::from_bits(0x553E_ECAA_AAAA_A800 - self.to_bits() / 3)
     }
 }
 

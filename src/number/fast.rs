@@ -19,7 +19,10 @@ use rand_core::Rng;
 /// Sums of rounding errors are not carried, polynomials are short, and roots are integer
 /// arithmetic, so that a target without a floating-point unit gains most. Directions are unit vectors
 /// to 2⁻¹², inside the support, with positive density. Subnormal arguments are accepted; their
-/// accuracy is not promised.
+/// accuracy is not promised. Quantiles may step back within their error.
+///
+/// Not every operation is cheaper than the plain type's on a host: the tables in
+/// [`accuracy`](crate::accuracy) say which are.
 ///
 /// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ and one for the
 /// azimuth; the deepest tail drawn is 2⁻³³.

@@ -153,7 +153,7 @@ impl<T: Native> Kernel for T {
     }
     #[inline(always)]
     fn cbrt(self) -> T {
-        cbrt::cbrt_times(Pair::exact(T::ONE), self)
+        cbrt::cbrt(self)
     }
     #[inline(always)]
     fn cbrt_wide(self) -> Pair<T> {

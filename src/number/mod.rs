@@ -18,5 +18,6 @@ pub use precise::Precise;
 /// [`Precise<f64>`](Precise) or [`Fast<f32>`](Fast).
 ///
 /// Sealed. A law's formula is written once; its number type decides the arithmetic that runs it.
-/// `f32` is computed in `f32` alone, on every target.
+/// `f32` is computed in `f32` alone, on every target. What each type costs and how well it does is in the
+/// tables of [`accuracy`](crate::accuracy).
 pub trait Real: tier::Tier {}

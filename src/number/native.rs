@@ -14,11 +14,17 @@ pub trait Native: Scalar {
     /// A power of 4 that makes every subnormal normal, and the inverse of its root.
     const ROOT_UP: Self;
     const ROOT_DOWN: Self;
-    /// Below this, a cube root is taken of x·`CBRT_UP` and scaled back by `CBRT_DOWN`.
-    const CBRT_TINY: Self;
+    /// A cube root is taken of x·`CBRT_UP`, normal for every x > 0, and scaled back by `CBRT_DOWN`.
     const CBRT_UP: Self;
     const CBRT_DOWN: Self;
+    /// Newton steps of the cube root after its first step.
     const CBRT_STEPS: usize;
+    /// ⅓, 2/9 and 14/81.
+    const CBRT_THIRD: Self;
+    const CBRT_SECOND: Self;
+    const CBRT_FOURTH: Self;
+    /// 1 and half the last place that `leading_half` keeps of it.
+    const CBRT_RAISE: Self;
 
     /// Truncated; for 0 ≤ x < 2³¹.
     fn to_u32(self) -> u32;
@@ -36,6 +42,6 @@ pub trait Native: Scalar {
     fn split(self) -> (Self, i32);
     /// The leading half of the significand's bits.
     fn leading_half(self) -> Self;
-    /// ∛self to about 5 bits, for normal self > 0.
-    fn cbrt_guess(self) -> Self;
+    /// 1/∛self to about 5 bits, for normal self > 0.
+    fn cbrt_recip_guess(self) -> Self;
 }

@@ -31,16 +31,22 @@ pub trait Holds<T: Scalar>: Kernel {
     #[inline(always)]
     fn of_direction(at: CosSin<T>) -> CosSin<Self> {
         let CosSin { cos, sin } = Self::of_pair(at);
-        let other = |x: Self| (Self::ONE - x * x).sqrt();
+        let other = |x: Self, rounded: Self| {
+            if rounded.is_nan() {
+                rounded
+            } else {
+                (Self::ONE - x * x).sqrt().copysign(rounded)
+            }
+        };
         if sin.abs() < cos.abs() {
             CosSin {
-                cos: other(sin).copysign(cos),
+                cos: other(sin, cos),
                 sin,
             }
         } else {
             CosSin {
                 cos,
-                sin: other(cos).copysign(sin),
+                sin: other(cos, sin),
             }
         }
     }

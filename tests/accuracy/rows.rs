@@ -3,7 +3,7 @@
 use super::format::Format;
 use super::inputs::exponents;
 use super::measure::{Input, sample, sweep};
-use super::op::OPERATIONS;
+use super::op::{OPERATIONS, Op};
 use super::reference::Id;
 use super::subject::{Subject, Tiers};
 use super::tally::{BINS, Stat, Tally};
@@ -39,25 +39,44 @@ pub struct Row {
 }
 
 /// The largest relative error where 10^`from` < distance ≤ 10^`to`; the last goes down to 0.
+/// Written as `[from, to, max_relative]`, read with the names too.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(into = "(i32, i32, f64)")]
 pub struct Decade {
     pub from: i32,
     pub to: i32,
     pub max_relative: f64,
 }
 
+impl From<Decade> for (i32, i32, f64) {
+    fn from(d: Decade) -> Self {
+        (d.from, d.to, d.max_relative)
+    }
+}
+
+/// A row's type, law and operation.
+pub type Key = [String; 3];
+
+/// The law's name in the rows.
+pub fn law_name(id: Id) -> String {
+    match id {
+        Id::CosPower(k) => format!("CosPower({k:e})"),
+        id => id.name().to_owned(),
+    }
+}
+
 impl Row {
+    pub fn key(&self) -> Key {
+        [&self.tier, &self.law, &self.operation].map(Clone::clone)
+    }
+
     fn new<F: Format>(s: &Subject<F>, operation: &str, stat: &Stat, exhaustive: bool) -> Self {
-        let law = match s.id {
-            Id::CosPower(k) => format!("CosPower({k:e})"),
-            id => id.name().to_owned(),
-        };
         let finite = |x: f64| x.min(f64::MAX);
         let width = F::BIN as i32;
         let decades = (0..BINS as i32).zip(stat.bins).filter(|(_, x)| *x >= 0.0);
         Row {
             tier: s.tier.to_owned(),
-            law,
+            law: law_name(s.id),
             operation: operation.to_owned(),
             max_ulp: finite(stat.ulps),
             inputs: stat.tried,
@@ -118,6 +137,23 @@ pub fn measure_all(stride: u64, samples: u64, progress: impl Fn(u64) + Sync) -> 
     all.extend(sampled::<f64>(&Id::FIXED, samples, &progress));
     all.extend(sampled::<f64>(&exponents::<f64>(), samples / 10, &progress));
     all
+}
+
+/// The keys of the rows of [`measure_all`], in its order.
+pub fn keys() -> Vec<Key> {
+    fn of<F: Tiers>(keys: &mut Vec<Key>) {
+        for s in Subject::<F>::all(&[&Id::FIXED[..], &exponents::<F>()].concat()) {
+            let has = |op| op != Op::PdfSolidAngle || s.solid;
+            let operations = OPERATIONS.iter().filter(|(op, _)| has(*op));
+            keys.extend(
+                operations.map(|(_, name)| [s.tier, &law_name(s.id), name].map(Into::into)),
+            );
+        }
+    }
+    let mut keys = Vec::new();
+    of::<f32>(&mut keys);
+    of::<f64>(&mut keys);
+    keys
 }
 
 /// Inputs that [`measure_all`] visits, up to rounding.

@@ -3,7 +3,7 @@
 
 use super::Double;
 use super::arith::{gap, square_raw};
-use crate::kernel::cbrt::cbrt_times;
+use crate::kernel::cbrt;
 use crate::kernel::pair::Pair;
 
 /// √x for finite x > 0.
@@ -30,7 +30,7 @@ pub(crate) fn cbrt(x: Double) -> Double {
     if !(x.hi > 0.0 && x.hi.is_finite()) {
         return Pair::exact(libm::sqrt(x.hi));
     }
-    let root = cbrt_times(Pair::exact(1.0), x.hi);
+    let root = cbrt::cbrt(x.hi);
     let square = square_raw(Pair::exact(root));
     let rest = gap(x, square.mul(Pair::exact(root)));
     Pair::fast_sum(root, rest / (3.0 * square.hi))

@@ -16,6 +16,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// Its own `+ − × ÷` are those of the format. Randomness as the plain format's, with the same
 /// uniforms: the `f32` sample is the `Precise<f32>` sample of the same words with a few more roundings.
+/// What the digits cost is in the tables of [`accuracy`](crate::accuracy).
 ///
 /// ```
 /// use coslobe::{Disk, Law, Precise};

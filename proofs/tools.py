@@ -1,0 +1,138 @@
+"""Sollya and Gappa as functions: a script in, a bound out."""
+
+import re
+import subprocess
+import tempfile
+
+from tables import exact
+
+
+class Missing(Exception):
+    pass
+
+
+def call(command, text):
+    try:
+        done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=170)
+    except FileNotFoundError:
+        raise Missing(f"{command[0]} is not installed")
+    return done.stdout + done.stderr
+
+
+def number(x):
+    """A float for Sollya, without rounding."""
+    mantissa, exponent = exact(x).split("b")
+    return f"({mantissa}*2^({exponent}))"
+
+
+def polynomial(coefficients, v, read):
+    text = read(coefficients[-1])
+    for c in reversed(coefficients[:-1]):
+        text = f"({text}*{v}+{read(c)})"
+    return text
+
+
+SERIES = {
+    # (sin x - x)/x^3, (cos x - 1 + x^2/2)/x^4 in v = x^2: alternating, so less off than the next term.
+    "sin": "c=1; T=0; for k from 1 to 26 do { c=-c/(2*k)/(2*k+1); T=T+c*x^(k-1); };",
+    "cos": "c=-1/2; T=0; for k from 2 to 27 do { c=-c/(2*k)/(2*k-1); T=T+c*x^(k-2); };",
+    "sin_turn": "c=2*pi; T=0; for k from 1 to 26 do { c=-c*4*pi^2/(2*k)/(2*k+1); T=T+c*x^(k-1); };",
+    "cos_turn": "c=1; T=0; for k from 1 to 26 do { c=-c*4*pi^2/(2*k)/(2*k-1); T=T+c*x^(k-1); };",
+    "atan": "T=0; for k from 1 to 60 do { T=T+(-1)^k/(2*k+1)*x^(k-1); };",
+    # (y - sin y)/(2 pi eta^3) = sum (-1)^k 2^(2k+3) h^k/(2k+3)!/(2 pi), alternating.
+    "disk_tail": "c=2/(3*pi); T=0; for k from 1 to 30 do { c=-c*4/(2*k+2)/(2*k+3); T=T+c*x^(k-1); };",
+    # asin c - c sqrt(1 - c^2) = sum 2 j b_j/(2j - 1)... : all terms positive, tail below a geometric one.
+    "disk_tail_of_cos": "b=1; T=0; for j from 1 to 72 do { a=b; b=b*(2*j-1)/(2*j); "
+    "if (j>1) then { T=T+(b/(2*j+1)+b/(2*j-1))/pi*x^(j-2); }; };",
+    "disk_centre_of_sin": "b=1; T=0; for j from 1 to 72 do { b=b*(2*j-1)/(2*j); "
+    "T=T+(b/(2*j+1)-b/(2*j-1))/pi*x^(j-1); };",
+}
+TOPS = {
+    "sin": "0.8101", "cos": "0.8101", "sin_turn": "1/64", "cos_turn": "1/64", "atan": "1/4*(1+2^(-20))",
+    "disk_tail": "2.46741", "disk_tail_of_cos": "0.500001", "disk_centre_of_sin": "0.500001",
+}
+
+
+def approximation(form, name, coefficients=None):
+    """Certified max |P - f| of a polynomial of the table, with the remainder of f's series."""
+    cs = form.poly[name] if coefficients is None else coefficients
+    p = polynomial(cs, "x", number)
+    if name == "kepler_tail":
+        # y - sin y = s^3/6: the residual, relative, over the logarithmic slope of y - sin y, which is > 2.
+        body = (f"c=1; G=0; for k from 1 to 12 do {{ c=-c/(2*k)/(2*k+1); G=G-c*x^(k-1); }};"
+                f"Y=1+2*x*({p}); r=6*Y^3*G(x*Y^2); e=supnorm(1,r,[0;2.82],absolute,2^(-8));")
+        # That slope times what is asked, eta/s - 1/2 = x K: K off by e (eta/s)/x.
+    elif name == "kepler_centre":
+        return centre_residual(cs)
+    else:
+        body = f"{SERIES[name]} e=supnorm({p},horner(T),[0;{TOPS[name]}],absolute,2^(-8));"
+    text = f"display=powers!; prec=250!; {body} round(sup(e),20,RU);\n"
+    out = call(["sollya"], text)
+    m = re.search(r"^(\d+)(?: \* 2\^\((-?\d+)\))?\s*$", out, re.M)
+    if not m:
+        return None
+    # The series' remainders are below 2^-70 on these intervals.
+    return int(m[1]) * 2.0 ** int(m[2] or 0) + 2.0**-70
+
+
+def centre_residual(cs):
+    """max |(theta + sin theta cos theta)/(pi d) - 1| by Arb: Sollya's supnorm does not end on this one.
+
+    Taylor models of order n on pieces: the coefficients at the middle, the n-th over the whole piece.
+    """
+    try:
+        from flint import arb, arb_series, ctx
+    except ImportError:
+        raise Missing("python-flint is not installed")
+    ctx.prec, n, pieces, worst = 200, 12, 200, 0.0
+    h = arb("0.1407") / (2 * pieces)
+
+    def residual(w):
+        ctx.cap = n + 1
+        x, p, g = arb_series([w, 1]), arb_series([0]), arb_series([0])
+        for c in reversed(cs):
+            p = p * x + arb(c)
+        y = arb.pi() / 2 + x * p
+        t, fact = x * y * y, []
+        c = arb(1)
+        for k in range(1, 14):
+            c = -c * 4 / (2 * k) / (2 * k + 1)
+            fact.append(c)
+        for c in reversed(fact):
+            g = (g + c) * t
+        r = y * (2 + g) / arb.pi() - 1
+        return [r[i] for i in range(n + 1)]
+
+    for i in range(pieces):
+        middle = h * (2 * i + 1)
+        near, wide = residual(middle), residual(middle + arb(0, h.upper()))
+        bound = sum((abs(near[k]) * h**k for k in range(n)), arb(0)) + abs(wide[n]) * h**n
+        worst = max(worst, float(bound.upper()) * (1 + 2.0**-40))
+    return worst + 2.0**-70
+
+
+def horner(form, out, v, name, coefficients):
+    """Gappa lines of poly.rs's horner: sum = sum * x + k from the last coefficient down."""
+    lines, last = [], exact(coefficients[-1])
+    for i, k in reversed(list(enumerate(coefficients[:-1]))):
+        lines += [f"{out}m{i} fl= {last} * {v};", f"{out}{i if i else ''} fl= {out}m{i} + {exact(k)};"]
+        last = f"{out}{i}"
+    return "\n".join(lines)
+
+
+def gappa(script, goals):
+    """The proved upper bounds of |goal|, one a goal, or None for one that has no proof."""
+    with tempfile.NamedTemporaryFile("w", suffix=".g") as f:
+        f.write(script)
+        f.flush()
+        out = call(["gappa", f.name], "")
+    bounds = []
+    for goal in goals:
+        m = re.search(re.escape(goal) + r"\|? in \[([^,]*), ([^\]]*)\]", out)
+        bounds.append(max(abs(value(t)) for t in m.groups()) if m else None)
+    return bounds, out
+
+
+def value(text):
+    m = re.match(r"\s*(-?[\d.]+)(?:b(-?\d+))?(?:e(-?\d+))?", text)
+    return float(m[1]) * 2.0 ** int(m[2] or 0) * 10.0 ** int(m[3] or 0)
