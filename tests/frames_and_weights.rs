@@ -3,8 +3,9 @@
 mod accuracy;
 
 use accuracy::format::{Format, error_in_ulps};
+use accuracy::values::Tier;
 use accuracy::wide::Wide;
-use coslobe::{Frame, balance_heuristic, power_heuristic};
+use coslobe::{Fast, Frame, Precise, balance_heuristic, power_heuristic};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -23,19 +24,25 @@ fn normal(rng: &mut Pcg64, i: usize) -> [f64; 3] {
     v.map(|c| c / length)
 }
 
-fn orthonormal<T: Format>() {
+type Exact<T> = <<T as Tier>::Raw as Format>::Wide;
+
+fn round<T: Tier>(x: f64) -> T {
+    T::of(T::Raw::round(x))
+}
+
+fn orthonormal<T: Tier>() {
     let mut rng = Pcg64::seed_from_u64(23);
     let mut worst = 0.0f64;
     for i in 0..N {
-        let n = normal(&mut rng, i).map(T::round);
+        let n = normal(&mut rng, i).map(round::<T>);
         let axes = Frame::from_unit(n)
             .axes()
-            .map(|a| a.map(|c| T::Wide::of(c.wide())));
+            .map(|a| a.map(|c| Exact::<T>::of(c.raw().wide())));
         for (i, a) in axes.iter().enumerate() {
             for (j, b) in axes.iter().enumerate() {
                 let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
                 let error = dot.minus(f64::from(u8::from(i == j))).abs();
-                worst = worst.max(error / 2f64.powi(1 - T::DIGITS));
+                worst = worst.max(error / 2f64.powi(1 - T::Raw::DIGITS));
             }
         }
     }
@@ -50,17 +57,23 @@ fn orthonormal<T: Format>() {
 fn frames_are_orthonormal() {
     orthonormal::<f32>();
     orthonormal::<f64>();
+    orthonormal::<Precise<f32>>();
+    orthonormal::<Precise<f64>>();
+    orthonormal::<Fast<f32>>();
 }
 
-fn heuristics<T: Format>() {
+fn heuristics<T: Tier>() {
     let mut rng = Pcg64::seed_from_u64(29);
     let (mut balance, mut power) = (0.0f64, 0.0f64);
     for _ in 0..N {
-        let [a, b] = [0; 2].map(|_| T::round(2f64.powf(40.0 * unit(&mut rng) - 20.0)));
-        let (wa, wb) = (T::Wide::of(a.wide()), T::Wide::of(b.wide()));
-        balance = balance.max(error_in_ulps(balance_heuristic(a, b), wa / (wa + wb)));
+        let [a, b] = [0; 2].map(|_| round::<T>(2f64.powf(40.0 * unit(&mut rng) - 20.0)));
+        let (wa, wb) = (
+            Exact::<T>::of(a.raw().wide()),
+            Exact::<T>::of(b.raw().wide()),
+        );
+        balance = balance.max(error_in_ulps(balance_heuristic(a, b).raw(), wa / (wa + wb)));
         let (a2, b2) = (wa * wa, wb * wb);
-        power = power.max(error_in_ulps(power_heuristic(a, b), a2 / (a2 + b2)));
+        power = power.max(error_in_ulps(power_heuristic(a, b).raw(), a2 / (a2 + b2)));
     }
     println!(
         "{}: balance {balance:.3} ulp, power {power:.3} ulp, {N} pairs",
@@ -73,4 +86,7 @@ fn heuristics<T: Format>() {
 fn heuristics_keep_their_bounds() {
     heuristics::<f32>();
     heuristics::<f64>();
+    heuristics::<Precise<f32>>();
+    heuristics::<Precise<f64>>();
+    heuristics::<Fast<f32>>();
 }

@@ -19,8 +19,8 @@ mod rand {
     use ::rand::RngExt;
     use ::rand::distr::Distribution;
     use coslobe::{
-        Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Planar, Precise, Real, Spatial,
-        SphereShell,
+        Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Planar, Precise, Real,
+        Spatial, SphereShell,
     };
 
     /// With `Distribution`, `Planar` and `Spatial` all in scope this has to compile.
@@ -69,13 +69,16 @@ mod rand {
         every_law(CosPower::new(7.5f64).unwrap());
         every_law(CosPower::new(Precise(7.5f32)).unwrap());
         every_law(CosPower::new(Precise(7.5f64)).unwrap());
+        every_law(CosPower::new(Fast(7.5f32)).unwrap());
     }
 }
 
 #[cfg(feature = "serde")]
 mod serde {
     use ::serde::{Serialize, de::DeserializeOwned};
-    use coslobe::{Ball, CosPower, CosSin, Disk, Frame, Lambert, Law, Moments, Precise, Radius};
+    use coslobe::{
+        Ball, CosPower, CosSin, Disk, Fast, Frame, Lambert, Law, Moments, Precise, Radius,
+    };
     use serde_json::{from_str, from_value, to_string, to_value};
 
     /// Through `Value`, which keeps every bit; serde_json's text may be an ulp off where it is read.
@@ -102,6 +105,27 @@ mod serde {
         }
     }
 
+    /// The number types are written as the number that they hold.
+    #[test]
+    fn number_types_are_transparent() {
+        round_trip(Precise(0.1f32));
+        round_trip(Precise(-0.1f64));
+        round_trip(Fast(0.1f32));
+        round_trip(CosPower::new(Precise(7.3f32)).unwrap());
+        round_trip(CosPower::new(Fast(7.3f32)).unwrap());
+        round_trip(Radius::new(Precise(0.1f64)).unwrap());
+        round_trip(Radius::new(Fast(0.1f32)).unwrap());
+        round_trip::<Moments<Fast<f32>>>(Ball.moments());
+        round_trip(Lambert.warp(Fast(0.3f32)));
+        assert_eq!(to_string(&Fast(0.5f32)).unwrap(), "0.5");
+        assert_eq!(to_string(&Precise(0.5f64)).unwrap(), "0.5");
+        assert_eq!(from_str::<Precise<f32>>("0.1").unwrap(), Precise(0.1));
+        let text = to_string(&CosPower::new(Precise(64.0f32)).unwrap()).unwrap();
+        assert_eq!(text, r#"{"exponent":64.0}"#);
+        let law: CosPower<Precise<f32>> = from_str(r#"{"exponent":0.1}"#).unwrap();
+        assert_eq!(law.exponent(), Precise(0.1));
+    }
+
     #[test]
     fn frames_come_back_bit_for_bit() {
         let mut rng = rand_pcg::Pcg32::new(1, 1);
@@ -109,6 +133,10 @@ mod serde {
             let normal: [f32; 3] = Lambert.sample(&mut rng);
             round_trip(Frame::from_unit(normal));
             round_trip(Frame::new(normal.map(|c| f64::from(c) - 0.5)).unwrap());
+            round_trip(Frame::new(normal.map(|c| Precise(c - 0.5))).unwrap());
+            round_trip(Frame::new(normal.map(|c| Fast(c - 0.5))).unwrap());
+            let normal: [Fast<f32>; 3] = Lambert.sample(&mut rng);
+            round_trip(Frame::from_unit(normal));
         }
         assert_eq!(
             to_string(&Frame::from_unit([0.0, 1.0, 0.0f32])).unwrap(),
@@ -130,6 +158,20 @@ mod serde {
             error::<CosPower<f32>>(r#"{"exponent":1e39}"#).starts_with("the exponent is infinite")
         );
         assert!(error::<CosPower<f32>>("{}").starts_with("missing field `exponent`"));
+        for text in [
+            error::<CosPower<Precise<f32>>>(r#"{"exponent":-2}"#),
+            error::<CosPower<Precise<f64>>>(r#"{"exponent":-2}"#),
+            error::<CosPower<Fast<f32>>>(r#"{"exponent":-2}"#),
+        ] {
+            assert!(text.starts_with("the exponent is negative"), "{text}");
+        }
+        for text in [
+            error::<CosPower<Precise<f32>>>(r#"{"exponent":1e39}"#),
+            error::<CosPower<Fast<f32>>>(r#"{"exponent":1e39}"#),
+        ] {
+            assert!(text.starts_with("the exponent is infinite"), "{text}");
+        }
+        assert!(error::<Frame<Fast<f32>>>("[1,1,0]").starts_with("the normal's length is not 1"));
         assert!(error::<Radius<f64>>("0").starts_with("the radius is below"));
         assert!(error::<Radius<f64>>("1e308").starts_with("the radius is above"));
         assert!(error::<Frame<f64>>("[0,0,0]").starts_with("the normal is zero"));
@@ -211,7 +253,7 @@ mod heapless {
 #[cfg(feature = "defmt")]
 mod defmt {
     use coslobe::{
-        Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, ExponentError, Frame, Lambert,
+        Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, ExponentError, Fast, Frame, Lambert,
         Measure, Moments, NormalError, Precise, Radius, RadiusError, SphereShell, Tails,
     };
 
@@ -226,6 +268,8 @@ mod defmt {
         is_format::<(CosSin<f32>, Tails<f64>, Moments<f32>)>();
         is_format::<(Radius<f32>, Frame<f32>, Measure)>();
         is_format::<(Precise<f32>, CosPower<Precise<f64>>)>();
+        is_format::<(Fast<f32>, CosPower<Fast<f32>>, CosSin<Fast<f32>>)>();
+        is_format::<(Precise<f64>, Tails<Precise<f32>>, Radius<Fast<f32>>)>();
         is_format::<(ExponentError, RadiusError, NormalError)>();
     }
 }

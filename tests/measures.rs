@@ -5,7 +5,7 @@
 
 mod stats;
 
-use coslobe::{Measure, PlanarPoint, Radius, Spatial, SpatialPoint};
+use coslobe::{Fast, Measure, PlanarPoint, Precise, Radius, Spatial, SpatialPoint};
 use rand_pcg::Pcg64;
 use stats::laws::{Claim, Float, Visitor, each};
 use stats::measures::{from_centre, radius, raw_point};
@@ -118,7 +118,7 @@ impl Points {
             println!("{case}: {what} p = {p:.1e}");
             assert!(p > 1e-5, "{case}: {what} is not uniform, p = {p:e}");
         };
-        let slack = 4.0 * T::EPSILON;
+        let slack = 2.0 * T::LENGTH; // a point on the surface has that of its direction twice
         if power == 0 {
             let worst = points
                 .iter()
@@ -177,4 +177,15 @@ fn points_are_uniform_f32() {
 #[test]
 fn points_are_uniform_f64() {
     each::<f64>(&mut Points, &[]);
+}
+
+#[test]
+fn points_are_uniform_precise() {
+    each::<Precise<f32>>(&mut Points, &[]);
+    each::<Precise<f64>>(&mut Points, &[]);
+}
+
+#[test]
+fn points_are_uniform_fast() {
+    each::<Fast<f32>>(&mut Points, &[]);
 }

@@ -2,8 +2,8 @@
 #![allow(clippy::incompatible_msrv)] // the MSRV is the core's; tests run on newer toolchains
 
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Frame, Lambert, Law, Precise, Radius, Spatial,
-    SpatialPoint, SphereShell, Tails, balance_heuristic, power_heuristic,
+    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Frame, Lambert, Law, Precise, Radius,
+    Spatial, SpatialPoint, SphereShell, Tails, balance_heuristic, power_heuristic,
 };
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::SeedableRng;
@@ -23,6 +23,15 @@ fn weights_never_divide_zero_by_zero() {
     assert_eq!(Disk.lambert_weight(horizon), f32::INFINITY);
     let deepest = Ball.warp_tails(Tails::from_upper(0.5f32.powi(65)));
     assert!(Ball.density(deepest) > 0.0 && Ball.lambert_weight(deepest).is_finite());
+    let horizon = CosSin {
+        cos: Fast(0.0f32),
+        sin: Fast(1.0),
+    };
+    assert_eq!(Lambert.lambert_weight(horizon).0, 1.0);
+    assert_eq!(Ball.lambert_weight(horizon).0, f32::INFINITY);
+    assert_eq!(Disk.lambert_weight(horizon).0, f32::INFINITY);
+    let deepest = Ball.warp_tails(Tails::from_upper(Fast(0.5f32.powi(33))));
+    assert!(Ball.density(deepest).0 > 0.0 && Ball.lambert_weight(deepest).0.is_finite());
 }
 
 /// pbrt-v3 #212: sin θ = √(1 − cos²θ) collapses below 1.5°.
@@ -33,6 +42,11 @@ fn the_sine_keeps_its_digits_near_the_axis() {
         let sin = Lambert.warp(u as f32).sin;
         assert!(
             (f64::from(sin) / u.sqrt() - 1.0).abs() < 1e-7,
+            "u = 2^-{exponent}"
+        );
+        let sin = Lambert.warp(Fast(u as f32)).sin.0;
+        assert!(
+            (f64::from(sin) / u.sqrt() - 1.0).abs() < 1.0 / 4096.0,
             "u = 2^-{exponent}"
         );
     }
@@ -47,6 +61,9 @@ fn no_sample_around_a_normal_is_zero_or_biased() {
         let d = Lambert.sample_around(normal, &mut rng);
         let length = d.iter().map(|c| c * c).sum::<f32>().sqrt();
         assert!((length - 1.0).abs() < 1e-6);
+        let d = Lambert.sample_around(normal.map(Fast), &mut rng);
+        let length = d.iter().map(|c| c.0 * c.0).sum::<f32>().sqrt();
+        assert!((length - 1.0).abs() < 1.0 / 4096.0);
     }
 }
 
@@ -57,6 +74,10 @@ fn the_middle_of_the_square_is_an_ordinary_point() {
     assert!(d.iter().all(|c| c.is_finite()));
     assert_eq!(Disk.warp(0.5f64).sin, 0.0);
     assert!(Disk.warp(0.5f64).sin.is_sign_positive());
+    let d = Lambert.warp_direction([Fast(0.5f32); 2]);
+    assert!(d.iter().all(|c| c.0.is_finite()));
+    let sin = Disk.warp(Fast(0.5f32)).sin.0;
+    assert!(sin == 0.0 && sin.is_sign_positive());
 }
 
 /// Distributions.jl #2080, #2081: a root finder that fails on the disk's quantile.
@@ -71,6 +92,11 @@ fn the_disk_quantile_never_fails() {
         let precise = Disk.quantile(Precise(p));
         assert!((precise.0 - theta).abs() <= 4.0 * f64::EPSILON, "{p:e}");
         assert!(Disk.quantile(Precise(next)) >= precise, "{p:e}");
+        let fast = Disk.quantile(Fast(p as f32)).0;
+        assert!(
+            (f64::from(fast) - Disk.quantile(f64::from(p as f32))).abs() < 1.6 / 4096.0,
+            "{p:e}"
+        );
     }
 }
 
@@ -82,6 +108,10 @@ fn the_largest_word_stays_inside() {
         [at.sin, at.cos]
     };
     assert_eq!([sin, cos], [0.0, 1.0]);
+    for word in [u32::MAX, u32::MAX >> 1] {
+        let p = coslobe::uniform::tails_from_bits::<Fast<f32>>(word);
+        assert_eq!([p.lower().0, p.upper().0], [0.5; 2]);
+    }
 }
 
 /// The float nearest π/2 lies beyond π/2 in f32, inside in f64.
@@ -95,6 +125,10 @@ fn the_support_ends_at_the_true_pi_over_two() {
     assert_eq!(Disk.pdf(Precise(FRAC_PI_2)).0, 0.0);
     assert!(Disk.pdf(Precise(FRAC_PI_2.next_down())).0 > 0.0);
     assert!(Disk.pdf(Precise(std::f64::consts::FRAC_PI_2)).0 > 0.0);
+    assert_eq!(Disk.pdf(Fast(FRAC_PI_2)).0, 0.0);
+    assert!(Disk.pdf(Fast(FRAC_PI_2.next_down())).0 > 0.0);
+    assert!(Disk.pdf(Disk.quantile(Fast(0.0f32))).0 > 0.0);
+    assert!(Disk.pdf(Disk.quantile(Fast(1.0f32))).0 > 0.0);
     assert!(
         Disk.pdf(Disk.quantile(0.0f32)) > 0.0,
         "a quantile is always inside"

@@ -3,16 +3,23 @@
 mod accuracy;
 
 use accuracy::format::{Format, error_in_ulps, ulp};
+use accuracy::values::Tier;
 use accuracy::wide::Wide;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Measure, Radius, SphereShell, Tangent,
+    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Measure, Precise, Radius,
+    SphereShell, Tangent,
 };
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-/// Allowed ulps, as the docs of `Tangent` state.
-const DISTANCE: f64 = 4.0;
-const DENSITY: f64 = 4.0;
+/// Allowed ulps of distances and densities: as the docs of `Tangent` state, or 2⁻¹².
+fn allowed<T: Tier>() -> f64 {
+    if T::NAME.starts_with("Fast") {
+        2f64.powi(T::Raw::DIGITS - 1 - 12)
+    } else {
+        4.0
+    }
+}
 
 /// The density's coefficient, power of ρ, and the root of v in the distance.
 fn shape<W: Wide>(measure: Measure) -> Option<(W, i32, i32)> {
@@ -26,24 +33,27 @@ fn shape<W: Wide>(measure: Measure) -> Option<(W, i32, i32)> {
     }
 }
 
-fn judge<T: Format, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
+fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
+    let wide = |x: T| x.raw().wide();
+    let exact = |x: T| <T::Raw as Format>::Wide::of(wide(x));
+    let allowed = allowed::<T>();
     let radius = Radius::new(rho).expect("a valid radius");
     let at = law.warp_sf(u);
     let r = law.distance(radius, at, v);
-    let (wide_rho, cos) = (T::Wide::of(rho.wide()), T::Wide::of(at.cos.wide()));
-    let wide_v = T::Wide::of(v.wide());
+    let (wide_rho, cos) = (exact(rho), exact(at.cos));
+    let wide_v = exact(v);
     let place = format!("{:?} rho {rho:?} u {u:?} v {v:?}", L::MEASURE);
-    let Some((coefficient, power, root)) = shape::<T::Wide>(L::MEASURE) else {
+    let Some((coefficient, power, root)) = shape::<<T::Raw as Format>::Wide>(L::MEASURE) else {
         // The shells' coefficient of δ is the pdf in θ.
         let pdf = law.density(at)
             * if L::MEASURE == Measure::SphereShell {
                 at.sin
             } else {
-                T::round(1.0)
+                T::of(T::Raw::round(1.0))
             };
         assert_eq!(
-            law.point_density(radius, at, r).bits(),
-            pdf.bits(),
+            law.point_density(radius, at, r).raw().bits(),
+            pdf.raw().bits(),
             "{place}"
         );
         return;
@@ -51,12 +61,12 @@ fn judge<T: Format, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
     let share = match root {
         2 => wide_v.root(),
         3 => wide_v.cube_root(),
-        _ => T::Wide::of(1.0),
+        _ => <T::Raw as Format>::Wide::of(1.0),
     };
     // Halves first: ρ cos θ · share cannot overflow, and the last doubling is exact.
-    let distance = wide_rho * (cos * share) * T::Wide::of(2.0);
+    let distance = wide_rho * (cos * share) * <T::Raw as Format>::Wide::of(2.0);
     assert!(
-        error_in_ulps(r, distance) <= DISTANCE,
+        error_in_ulps(r.raw(), distance) <= allowed,
         "{place}: distance {r:?}"
     );
     let mut density = coefficient;
@@ -72,24 +82,24 @@ fn judge<T: Format, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
     };
     if near.is_finite() && near > 0.0 {
         assert!(
-            error_in_ulps(got, density) <= DENSITY,
+            error_in_ulps(got.raw(), density) <= allowed,
             "{place}: density {got:?}"
         );
     } else {
-        assert!(got.wide() == near, "{place}: density {got:?}");
+        assert!(wide(got) == near, "{place}: density {got:?}");
     }
-    let log = coefficient.ln() - wide_rho.ln() * T::Wide::of(f64::from(power));
+    let log = coefficient.ln() - wide_rho.ln() * <T::Raw as Format>::Wide::of(f64::from(power));
     let scale = wide_rho.ln().near().abs().max(1.0) * f64::from(power);
-    let error = log.minus(law.ln_point_density(radius, at, r).wide()).abs();
+    let error = log.minus(wide(law.ln_point_density(radius, at, r))).abs();
     assert!(
-        error <= DENSITY * ulp::<T>(scale),
+        error <= allowed * ulp::<T::Raw>(scale),
         "{place}: ln density off by {error:e}"
     );
     if root > 0 {
-        let beyond = T::round(distance.near() * 1.001 / share.near());
-        assert_eq!(law.point_density(radius, at, beyond).wide(), 0.0, "{place}");
+        let beyond = T::of(T::Raw::round(distance.near() * 1.001 / share.near()));
+        assert_eq!(wide(law.point_density(radius, at, beyond)), 0.0, "{place}");
         assert_eq!(
-            law.ln_point_density(radius, at, beyond).wide(),
+            wide(law.ln_point_density(radius, at, beyond)),
             f64::NEG_INFINITY,
             "{place}"
         );
@@ -97,20 +107,21 @@ fn judge<T: Format, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
 }
 
 /// Radii over the whole admitted range, the ends included.
-fn everywhere<T: Format>() {
+fn everywhere<T: Tier>() {
     let mut rng = Pcg64::seed_from_u64(17);
     let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
-    let least = 2f64.powi(T::LEAST);
-    let (low, high) = (least.log2(), (T::MAX_VALUE / 4.0).log2());
+    let round = |x| T::of(T::Raw::round(x));
+    let least = 2f64.powi(T::Raw::LEAST);
+    let (low, high) = (least.log2(), (T::Raw::MAX_VALUE / 4.0).log2());
     for i in 0..20_000 {
         let rho = match i {
             0 => least,
-            1 => T::MAX_VALUE / 4.0,
+            1 => T::Raw::MAX_VALUE / 4.0,
             _ => 2f64
                 .powf(low + (high - low) * unit())
-                .clamp(least, T::MAX_VALUE / 4.0),
+                .clamp(least, T::Raw::MAX_VALUE / 4.0),
         };
-        let (rho, u, v) = (T::round(rho), T::round(unit()), T::round(unit()));
+        let (rho, u, v) = (round(rho), round(unit()), round(unit()));
         judge(&Disk, rho, u, v);
         judge(&CircleArc, rho, u, v);
         judge(&CircleShell, rho, u, v);
@@ -128,6 +139,17 @@ fn f32_points() {
 #[test]
 fn f64_points() {
     everywhere::<f64>();
+}
+
+#[test]
+fn precise_points() {
+    everywhere::<Precise<f32>>();
+    everywhere::<Precise<f64>>();
+}
+
+#[test]
+fn fast_points() {
+    everywhere::<Fast<f32>>();
 }
 
 /// A direction outside the support has no points, and a shell's density keeps its sign.

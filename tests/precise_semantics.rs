@@ -174,7 +174,7 @@ const NUMBERS: [f64; 25] = [
     1.5707962,
 ];
 
-const DIRECTIONS: [(f64, f64); 24] = [
+const DIRECTIONS: [(f64, f64); 27] = [
     (1.0, 0.0),
     (1.0, -0.0),
     (-1.0, 0.0),
@@ -199,6 +199,9 @@ const DIRECTIONS: [(f64, f64); 24] = [
     (f64::NAN, 1.0),
     (0.0, f64::NAN),
     (1.0, f64::NAN),
+    (-0.6, f64::NAN),
+    (-1e-38, f64::NAN),
+    (f64::NAN, -0.6),
 ];
 
 #[test]

@@ -6,8 +6,8 @@ mod accuracy;
 use accuracy::double::Double;
 use accuracy::format::{Format, error_in_ulps};
 use accuracy::wide::Wide;
-use coslobe::CosSin;
 use coslobe::uniform::{azimuth_from_bits, tails_from_bits};
+use coslobe::{CosSin, Fast, Precise};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -26,6 +26,42 @@ fn the_ends_are_as_documented() {
     for full in [u128::MAX, u128::MAX >> 1] {
         let middle = tails_from_bits::<f64>(full);
         assert_eq!((middle.lower(), middle.upper()), (0.5, 0.5));
+    }
+}
+
+/// `Precise` has the plain types' uniforms; `Fast` has odd multiples of 2⁻³³.
+#[test]
+fn the_tiers_have_their_grids() {
+    let mut rng = Pcg64::seed_from_u64(13);
+    for i in 0..100_000 {
+        let word = rng.next_u64() >> (i % 64);
+        let (plain, precise) = (
+            tails_from_bits::<f32>(word),
+            tails_from_bits::<Precise<f32>>(word),
+        );
+        assert_eq!(
+            [precise.lower().0, precise.upper().0],
+            [plain.lower(), plain.upper()]
+        );
+        let word = u128::from(word) << (i % 64);
+        let (plain, precise) = (
+            tails_from_bits::<f64>(word),
+            tails_from_bits::<Precise<f64>>(word),
+        );
+        assert_eq!(
+            [precise.lower().0, precise.upper().0],
+            [plain.lower(), plain.upper()]
+        );
+
+        let word = rng.next_u32() >> (i % 32);
+        let fast = tails_from_bits::<Fast<f32>>(word);
+        let (p, other) = if word >> 31 == 0 {
+            (fast.lower().0, fast.upper().0)
+        } else {
+            (fast.upper().0, fast.lower().0)
+        };
+        let exact = (2.0 * f64::from(word & (u32::MAX >> 1)) + 1.0) * 0.5f64.powi(33);
+        assert_eq!((p, other), (exact as f32, 1.0 - p), "{word:#x}");
     }
 }
 
@@ -147,6 +183,37 @@ fn f64_azimuths() {
         if i % 2 == 0 { mixed } else { mixed >> (i % 64) }
     });
     azimuths_within_bound(words, f64_azimuth_error);
+}
+
+/// `Precise`: the nearest numbers. `Fast`: 2⁻¹² of each component.
+#[test]
+fn azimuths_of_the_tiers() {
+    let parts = |word: u32| {
+        let quadrant = word.wrapping_add(1 << 29) >> 30;
+        let rest = word.wrapping_sub(quadrant << 30) as i32;
+        (
+            quadrant,
+            (f64::from(rest) + 0.5) * 0.5f64.powi(32),
+            rest < 0,
+        )
+    };
+    let raw = |at: CosSin<Precise<f32>>| CosSin {
+        cos: at.cos.0,
+        sin: at.sin.0,
+    };
+    for word in (0..=u32::MAX).step_by(40_009) {
+        let (quadrant, turn, negative) = parts(word);
+        let precise = raw(azimuth_from_bits(word));
+        let error = azimuth_error(precise, quadrant.into(), turn, negative);
+        assert!(error <= 0.5 + 1e-6, "{error} ulp at word {word:#x}");
+        let fast = azimuth_from_bits::<Fast<f32>>(word);
+        for (a, b) in [(fast.cos.0, precise.cos), (fast.sin.0, precise.sin)] {
+            assert!(
+                (a - b).abs() <= b.abs() / 4096.0,
+                "{a} and {b} at word {word:#x}"
+            );
+        }
+    }
 }
 
 #[test]

@@ -5,7 +5,9 @@ use super::input::Words;
 use super::measure::{assert_close, context};
 use super::samples::Drawn;
 use super::{densities, quantiles, samples, warps};
-use coslobe::{Ball, CosPower, CosSin, ExponentError, Lambert, Law, Spatial, SphereShell};
+use coslobe::{
+    Ball, CosPower, CosSin, ExponentError, Fast, Lambert, Law, Precise, Spatial, SphereShell,
+};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A law of its own type against `CosPower` at its exponent.
@@ -17,6 +19,9 @@ const REFERENCE_ULP: f64 = 4.0;
 pub fn check(data: &[u8]) {
     all::<f32>(data);
     all::<f64>(data);
+    all::<Precise<f32>>(data);
+    all::<Precise<f64>>(data);
+    all::<Fast<f32>>(data);
     let mut words = Words::new(data);
     let ks = f32::both(words.word(), 0.0, 1e4);
     let thetas = f32::both(words.word(), 0.0, FRAC_PI_2);

@@ -4,7 +4,8 @@ use super::float::{Float, pair_at};
 use super::input::Words;
 use super::measure::{assert_close, assert_positive_or_zero, context};
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Law, Planar, Spatial, SphereShell,
+    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Law, Planar, Precise, Spatial,
+    SphereShell,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,6 +27,9 @@ const WEIGHT_ULP: f64 = 12.0;
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
+    all::<Precise<f32>>(Words::new(data));
+    all::<Precise<f64>>(Words::new(data));
+    all::<Fast<f32>>(Words::new(data));
 }
 
 fn all<T: Float>(mut words: Words) {
@@ -107,7 +111,7 @@ fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
     );
     for tail in [cdf, sf] {
         assert_positive_or_zero(tail, "tail");
-        assert!(tail.wide() <= 1.0, "tail {tail:e} at θ = {theta:e}");
+        assert!(tail.wide() <= 1.0, "tail {tail:?} at θ = {theta:?}");
     }
     if !inside {
         let (lower, upper) = if theta.wide() > 0.0 {
@@ -121,7 +125,7 @@ fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
         );
         return;
     }
-    assert!(p.wide() < f64::INFINITY, "pdf({theta:e}) = {p:e}");
+    assert!(p.wide() < f64::INFINITY, "pdf({theta:?}) = {p:?}");
     let log = ln_p.wide();
     assert!(log < f64::INFINITY);
     // Only q at the axis is zero inside; any other zero is an underflow, which ln_pdf has to show.
@@ -133,15 +137,15 @@ fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
         let error = (log - p.wide().ln()).abs() / (T::ULP * largest);
         assert!(
             !strict || error <= LN_ULP,
-            "ln_pdf({theta:e}) = {log:e}, pdf = {p:e}"
+            "ln_pdf({theta:?}) = {log:?}, pdf = {p:?}"
         );
     }
     assert_close::<T>(cdf.wide() + sf.wide(), 1.0, SUM_ULP, "cdf + sf");
     let next = law.tails(theta.above());
     let slack = STEP_ULP * T::ULP;
     let falls = |a: T, b: T| b.wide() < a.wide() * (1.0 - slack) - 2.0 * T::SMALLEST;
-    assert!(!falls(cdf, next.lower()), "cdf falls at θ = {theta:e}");
-    assert!(!falls(next.upper(), sf), "sf rises at θ = {theta:e}");
+    assert!(!falls(cdf, next.lower()), "cdf falls at θ = {theta:?}");
+    assert!(!falls(next.upper(), sf), "sf rises at θ = {theta:?}");
 }
 
 fn planar_pair<T: Float, L: Planar<T>>(law: &L, at: CosSin<T>) {
@@ -185,7 +189,7 @@ fn pair<T: Float, L: Law<T>>(law: &L, at: CosSin<T>, inside: bool, flat: f64) {
     assert!(p.wide() < f64::INFINITY);
     for tail in [cdf, sf] {
         assert_positive_or_zero(tail, "unwarp");
-        assert!(tail.wide() <= 1.0, "unwarp {tail:e} at {at:?}");
+        assert!(tail.wide() <= 1.0, "unwarp {tail:?} at {at:?}");
     }
     let radiance = flat * at.cos.wide();
     let normal = T::NORMAL..f64::INFINITY;

@@ -1,11 +1,10 @@
 //! What the checks need of a format beyond the sealed `Real`.
 
-use coslobe::{CosSin, Real};
-use std::fmt::LowerExp;
+use coslobe::{CosSin, Fast, Precise, Real};
 
-/// `f32` or `f64`. The names differ from those of the sealed trait's own items on purpose.
-pub trait Float: Real + LowerExp {
-    /// Distance from 1 to the next number above.
+/// A number type. The names differ from those of the sealed trait's own items on purpose.
+pub trait Float: Real {
+    /// Distance from 1 to the next number above: the unit of all bounds.
     const ULP: f64;
     /// The smallest positive number, as an absolute slack where a result is subnormal.
     const SMALLEST: f64;
@@ -99,6 +98,71 @@ impl Float for f64 {
     }
     fn negative(self) -> bool {
         self.is_sign_negative()
+    }
+}
+
+/// Held to what the plain type keeps; `docs/bounds.md` has its own, tighter bounds.
+impl<T: Float> Float for Precise<T>
+where
+    Precise<T>: Real,
+{
+    const ULP: f64 = T::ULP;
+    const SMALLEST: f64 = T::SMALLEST;
+    const NORMAL: f64 = T::NORMAL;
+    const LARGEST: f64 = T::LARGEST;
+    const END: Self = Precise(T::END);
+
+    fn from_word(word: u64) -> Self {
+        Precise(T::from_word(word))
+    }
+    fn narrow(x: f64) -> Self {
+        Precise(T::narrow(x))
+    }
+    fn wide(self) -> f64 {
+        self.0.wide()
+    }
+    fn word(self) -> u64 {
+        self.0.word()
+    }
+    fn above(self) -> Self {
+        Precise(self.0.above())
+    }
+    fn below(self) -> Self {
+        Precise(self.0.below())
+    }
+    fn negative(self) -> bool {
+        self.0.negative()
+    }
+}
+
+/// As if it had 14 bits, so that a direction's 2⁻¹² are 2 ulp, and no subnormal numbers.
+impl Float for Fast<f32> {
+    const ULP: f64 = 1.0 / 8192.0;
+    const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
+    const NORMAL: f64 = f32::MIN_POSITIVE as f64;
+    const LARGEST: f64 = f32::MAX as f64;
+    const END: Self = Fast(<f32 as Float>::END);
+
+    fn from_word(word: u64) -> Self {
+        Fast(f32::from_word(word))
+    }
+    fn narrow(x: f64) -> Self {
+        Fast(x as f32)
+    }
+    fn wide(self) -> f64 {
+        f64::from(self.0)
+    }
+    fn word(self) -> u64 {
+        self.0.word()
+    }
+    fn above(self) -> Self {
+        Fast((self.0 + (self.0 * Self::ULP as f32).abs()).next_up())
+    }
+    fn below(self) -> Self {
+        -(-self).above()
+    }
+    fn negative(self) -> bool {
+        self.0.is_sign_negative()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::float::Float;
 use super::input::Words;
 use super::measure::assert_unit;
-use coslobe::{Frame, Lambert, NormalError, Spatial};
+use coslobe::{Fast, Frame, Lambert, NormalError, Precise, Spatial};
 
 /// Axes from `Frame::new`, whose normal is itself rounded: lengths and dot products, in ulp of 1.
 const AXES_ULP: f64 = 8.0;
@@ -14,6 +14,9 @@ const ROUND_TRIP_ULP: f64 = 16.0;
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
+    all::<Precise<f32>>(Words::new(data));
+    all::<Precise<f64>>(Words::new(data));
+    all::<Fast<f32>>(Words::new(data));
 }
 
 fn all<T: Float>(mut words: Words) {
@@ -48,7 +51,7 @@ fn frame<T: Float>(normal: [T; 3], mut words: Words) {
         let dot = dot(axes[a], axes[b]);
         assert!(
             dot.abs() <= AXES_ULP * T::ULP,
-            "axes {a} and {b} of {axes:?}: {dot:e}"
+            "axes {a} and {b} of {axes:?}: {dot:?}"
         );
     }
     // Right-handed, as +x, +y, +z are: x × y = z.

@@ -8,7 +8,7 @@ pub fn assert_close<T: Float>(a: f64, b: f64, ulps: f64, what: &str) {
     let slack = ulps * T::ULP * b.abs() + 2.0 * T::SMALLEST;
     assert!(
         a == b || (a - b).abs() <= slack,
-        "{what}: {a:e} is not within {ulps} ulp of {b:e}"
+        "{what}: {a:?} is not within {ulps} ulp of {b:?}"
     );
 }
 
@@ -40,7 +40,7 @@ pub fn assert_unit<T: Float, const N: usize>(v: [T; N], ulps: f64) {
 /// Not NaN, and not below zero (nor −0).
 #[track_caller]
 pub fn assert_positive_or_zero<T: Float>(x: T, what: &str) {
-    assert!(!x.nan() && !x.negative(), "{what} is {x:e}");
+    assert!(!x.nan() && !x.negative(), "{what} is {x:?}");
 }
 
 /// Says which law and format failed, without a message in every assertion.

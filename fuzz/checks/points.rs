@@ -5,8 +5,8 @@ use super::input::Words;
 use super::measure::{assert_positive_or_zero, context};
 use super::samples::Drawn;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Measure, PlanarPoint, Radius, RadiusError,
-    SpatialPoint, SphereShell, Tangent,
+    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Measure, PlanarPoint, Precise,
+    Radius, RadiusError, SpatialPoint, SphereShell, Tangent,
 };
 use std::f64::consts::FRAC_PI_2;
 
@@ -19,6 +19,9 @@ const LENGTH_ULP: f64 = 4.0;
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
+    all::<Precise<f32>>(Words::new(data));
+    all::<Precise<f64>>(Words::new(data));
+    all::<Fast<f32>>(Words::new(data));
 }
 
 fn all<T: Float + Drawn>(mut words: Words) {
@@ -87,7 +90,7 @@ fn density<T: Float, L: Tangent<T>>(law: &L, rho: Radius<T>, at: CosSin<T>, r: T
         law.ln_point_density(rho, at, r),
     );
     if at.cos.nan() || at.sin.nan() || r.nan() {
-        assert!(p.nan() && log.nan(), "NaN in, {p:e}, {log:e} out");
+        assert!(p.nan() && log.nan(), "NaN in, {p:?}, {log:?} out");
         return;
     }
     // A longer pair is no direction.
@@ -96,7 +99,7 @@ fn density<T: Float, L: Tangent<T>>(law: &L, rho: Radius<T>, at: CosSin<T>, r: T
     }
     assert!(
         !p.nan() && !log.nan(),
-        "{p:e}, {log:e} at {at:?}, r = {r:e}"
+        "{p:?}, {log:?} at {at:?}, r = {r:?}"
     );
     assert_positive_or_zero(p, "point_density");
     let reach = 2.0 * rho.get().wide() * at.cos.wide();
@@ -116,7 +119,7 @@ fn drawn<T: Float, L: Tangent<T>>(law: &L, rho: Radius<T>, at: CosSin<T>, words:
     let reach = rho.get() + rho.get();
     assert!(
         r.wide() >= 0.0 && r.wide() <= (reach * at.cos).wide(),
-        "r = {r:e}, {rho:?}, {at:?}"
+        "r = {r:?}, {rho:?}, {at:?}"
     );
     let (p, log) = (
         law.point_density(rho, at, r),
@@ -124,14 +127,14 @@ fn drawn<T: Float, L: Tangent<T>>(law: &L, rho: Radius<T>, at: CosSin<T>, words:
     );
     assert!(
         log.is_finite(),
-        "ln_point_density is {log:e} at {rho:?}, {at:?}, r = {r:e}"
+        "ln_point_density is {log:?} at {rho:?}, {at:?}, r = {r:?}"
     );
     if (T::NORMAL..f64::INFINITY).contains(&p.wide()) {
         let terms = 4.0 + 3.0 * rho.get().wide().ln().abs() + log.abs();
         let error = (log - p.wide().ln()).abs();
         assert!(
             error <= LN_ULP * T::ULP * terms,
-            "ln p is {log:e}, p is {p:e}"
+            "ln p is {log:?}, p is {p:?}"
         );
     }
 }
@@ -176,6 +179,6 @@ fn assert_point<T: Float>(rho: Radius<T>, [x, y, z]: [f64; 3]) {
     let (square, slack) = (x * x + y * y + z * z, LENGTH_ULP * T::ULP * y);
     assert!(
         square <= y + slack + T::SMALLEST / T::NORMAL,
-        "({x:e}, {y:e}, {z:e})·2ρ lies outside"
+        "({x:?}, {y:?}, {z:?})·2ρ lies outside"
     );
 }

@@ -4,7 +4,8 @@ use super::float::Float;
 use super::input::Words;
 use super::measure::{assert_close, context};
 use coslobe::{
-    Ball, CircleArc, CircleShell, Disk, Lambert, Law, Planar, Spatial, SphereShell, Tails,
+    Ball, CircleArc, CircleShell, Disk, Fast, Lambert, Law, Planar, Precise, Spatial, SphereShell,
+    Tails,
 };
 
 /// F(q − so many ulp) ≤ p ≤ F(q + so many): the plain tier's bound for a quantile.
@@ -21,6 +22,9 @@ const ORDER_ULP: f64 = 4.0;
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
+    all::<Precise<f32>>(Words::new(data));
+    all::<Precise<f64>>(Words::new(data));
+    all::<Fast<f32>>(Words::new(data));
 }
 
 fn all<T: Float>(mut words: Words) {
@@ -49,7 +53,7 @@ fn planar<T: Float, L: Planar<T>>(law: &L, a: T, b: T) {
     let zeros = q.wide() == 0.0 && mirrored.wide() == 0.0;
     assert!(
         q.nan() || zeros || q.word() == (-mirrored).word(),
-        "quantile({a:e}) = {q:e}, isf = {mirrored:e}"
+        "quantile({a:?}) = {q:?}, isf = {mirrored:?}"
     );
 }
 
@@ -65,14 +69,14 @@ fn line<T: Float, L: Law<T>>(law: &L, a: T, b: T, start: T) {
         if !domain(p) {
             assert!(
                 q.nan() && isf.nan(),
-                "quantile({p:e}) = {q:e}, isf = {isf:e}"
+                "quantile({p:?}) = {q:?}, isf = {isf:?}"
             );
             continue;
         }
         for theta in [q, isf] {
             assert!(
                 theta >= start && theta <= T::END,
-                "θ = {theta:e} at p = {p:e}"
+                "θ = {theta:?} at p = {p:?}"
             );
         }
         let [before, after] = around(q).map(|theta| law.cdf(theta));
@@ -104,7 +108,7 @@ fn bracket<T: Float>(p: T, before: T, after: T, at: T) {
     let inside = low - 2.0 * T::SMALLEST <= p.wide() && p.wide() <= high + 2.0 * T::SMALLEST;
     assert!(
         inside,
-        "p = {p:e} is not within [{before:e}, {after:e}], θ = {at:e}"
+        "p = {p:?} is not within [{before:?}, {after:?}], θ = {at:?}"
     );
 }
 
@@ -127,6 +131,6 @@ fn ordered<T: Float>(low: T, high: T) {
     let slack = ORDER_ULP * T::ULP * size + 2.0 * T::SMALLEST;
     assert!(
         low.wide() <= high.wide() + slack,
-        "{low:e} comes after {high:e}"
+        "{low:?} comes after {high:?}"
     );
 }

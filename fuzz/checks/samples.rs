@@ -4,10 +4,11 @@ use super::float::Float;
 use super::input::Words;
 use super::measure::{assert_unit, context};
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Planar, Spatial, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Planar, Precise, Spatial,
+    SphereShell,
 };
 
-/// The promise: a unit vector to 2 ulp of 1.
+/// The promise: a unit vector to 2 ulp of 1 (`Fast`: to 2⁻¹²).
 const UNIT_ULP: f64 = 2.0;
 
 /// Calls of [next_u32, next_u64] that one draw makes.
@@ -30,10 +31,25 @@ impl Drawn for f64 {
     const UNIT: [u32; 2] = [0, 2];
 }
 
+impl<T: Drawn> Drawn for Precise<T> {
+    const PLANAR: [u32; 2] = T::PLANAR;
+    const SPATIAL: [u32; 2] = T::SPATIAL;
+    const UNIT: [u32; 2] = T::UNIT;
+}
+
+impl Drawn for Fast<f32> {
+    const PLANAR: [u32; 2] = [1, 0];
+    const SPATIAL: [u32; 2] = [2, 0];
+    const UNIT: [u32; 2] = [1, 0];
+}
+
 /// The whole input is the generator.
 pub fn check(data: &[u8]) {
     all::<f32>(data);
     all::<f64>(data);
+    all::<Precise<f32>>(data);
+    all::<Precise<f64>>(data);
+    all::<Fast<f32>>(data);
 }
 
 fn all<T: Float + Drawn>(data: &[u8]) {
@@ -87,5 +103,5 @@ pub fn spatial<T: Float + Drawn, L: Spatial<T>>(law: &L, data: &[u8]) {
 fn assert_open<T: Float, const N: usize>(density: T, d: [T; N], cos: T) {
     assert!(cos.wide() > 0.0, "{d:?} is not above the horizon");
     let positive = density.wide() > 0.0 && density.wide() < f64::INFINITY;
-    assert!(positive, "density {density:e} at {d:?}");
+    assert!(positive, "density {density:?} at {d:?}");
 }

@@ -3,7 +3,10 @@
 use super::float::Float;
 use super::input::Words;
 use super::measure::{assert_close, assert_positive_or_zero, assert_unit, context};
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, Planar, Spatial, SphereShell};
+use coslobe::{
+    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Planar, Precise, Spatial,
+    SphereShell,
+};
 
 /// The promise: a unit vector to 2 ulp of 1.
 const UNIT_ULP: f64 = 2.0;
@@ -19,6 +22,9 @@ const SHORT: f64 = 1e3;
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
+    all::<Precise<f32>>(Words::new(data));
+    all::<Precise<f64>>(Words::new(data));
+    all::<Fast<f32>>(Words::new(data));
 }
 
 fn all<T: Float>(mut words: Words) {
@@ -50,11 +56,11 @@ fn planar<T: Float, L: Planar<T>>(law: &L, u: T) {
     pair(law.warp_sf(u), u);
     if domain(u) && u.wide() != 0.5 {
         let (sin, mirrored) = (law.warp(u).sin, law.warp_sf(u).sin);
-        assert_eq!(sin.word(), (-mirrored).word(), "not odd at u = {u:e}");
+        assert_eq!(sin.word(), (-mirrored).word(), "not odd at u = {u:?}");
         assert_eq!(
             sin.negative(),
             u.wide() < 0.5,
-            "the wrong side at u = {u:e}"
+            "the wrong side at u = {u:?}"
         );
     }
 }
@@ -69,7 +75,7 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
     }
     let d = law.warp_direction([u, turn]);
     if !domain(u) || !domain(turn) {
-        assert!(d.iter().any(|c| c.nan()), "{d:?} at ({u:e}, {turn:e})");
+        assert!(d.iter().any(|c| c.nan()), "{d:?} at ({u:?}, {turn:?})");
         return;
     }
     assert_unit(d, UNIT_ULP);
@@ -77,7 +83,7 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
     let [back, back_turn] = law.unwarp_direction(d);
     assert!(
         domain(back) && domain(back_turn) && back_turn.wide() < 1.0,
-        "{back:e}, {back_turn:e}"
+        "{back:?}, {back_turn:?}"
     );
     let long = d[0].wide().hypot(d[2].wide()) > SHORT * T::NORMAL;
     // The nearer tail holds the digits; a number near 1 holds the farther one to an ulp of 1 only.
@@ -86,7 +92,7 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
     if u.wide() > 0.5 {
         let slack = T::ULP * (1.0 + units * nearer);
         let apart = (u.wide() - back.wide()).abs();
-        assert!(apart <= slack, "{u:e} came back as {back:e}");
+        assert!(apart <= slack, "{u:?} came back as {back:?}");
     } else if long {
         assert_close::<T>(back.wide(), u.wide(), units, "unwarp_direction");
     }
@@ -95,7 +101,7 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
         let apart = apart.min(1.0 - apart);
         assert!(
             apart <= TURN_ULP * T::ULP,
-            "azimuth {turn:e} came back as {back_turn:e}"
+            "azimuth {turn:?} came back as {back_turn:?}"
         );
     }
 }
@@ -105,16 +111,16 @@ fn back<T: Float, L: Spatial<T>>(law: &L, d: [T; 3]) {
     let _context = context::<T, L>();
     let [_, turn] = law.unwarp_direction(d);
     if d.iter().any(|c| c.nan()) {
-        assert!(d[1].nan() || turn.nan(), "{d:?} gives {turn:e}");
+        assert!(d[1].nan() || turn.nan(), "{d:?} gives {turn:?}");
         return;
     }
     assert_positive_or_zero(turn, "azimuth");
-    assert!(turn.wide() < 1.0, "azimuth {turn:e} of {d:?}");
+    assert!(turn.wide() < 1.0, "azimuth {turn:?} of {d:?}");
 }
 
 fn pair<T: Float>(at: CosSin<T>, u: T) {
     if !domain(u) {
-        assert!(at.cos.nan() && at.sin.nan(), "{at:?} at u = {u:e}");
+        assert!(at.cos.nan() && at.sin.nan(), "{at:?} at u = {u:?}");
         return;
     }
     assert_unit([at.cos, at.sin], UNIT_ULP);

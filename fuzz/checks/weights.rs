@@ -2,7 +2,7 @@
 
 use super::float::Float;
 use super::input::Words;
-use coslobe::{balance_heuristic, power_heuristic};
+use coslobe::{Fast, Precise, balance_heuristic, power_heuristic};
 
 /// w(a, b) + w(b, a) against 1.
 const SUM_ULP: f64 = 4.0;
@@ -13,6 +13,9 @@ const VALUE_ULP: f64 = 6.0;
 pub fn check(data: &[u8]) {
     all::<f32>(Words::new(data));
     all::<f64>(Words::new(data));
+    all::<Precise<f32>>(Words::new(data));
+    all::<Precise<f64>>(Words::new(data));
+    all::<Fast<f32>>(Words::new(data));
 }
 
 fn all<T: Float>(mut words: Words) {
@@ -32,7 +35,7 @@ fn heuristic<T: Float>(weight: fn(T, T) -> T, a: T, b: T, f: fn(f64) -> f64) {
     assert_eq!(
         [w.nan(), mirrored.nan()],
         [!valid; 2],
-        "{w:e} at {a:e}, {b:e}"
+        "{w:?} at {a:?}, {b:?}"
     );
     if !valid {
         return;
@@ -40,14 +43,14 @@ fn heuristic<T: Float>(weight: fn(T, T) -> T, a: T, b: T, f: fn(f64) -> f64) {
     for w in [w, mirrored] {
         assert!(
             (0.0..=1.0).contains(&w.wide()) && !w.negative(),
-            "{w:e} at {a:e}, {b:e}"
+            "{w:?} at {a:?}, {b:?}"
         );
     }
     let sum = w.wide() + mirrored.wide();
     let expected = if x == 0.0 && y == 0.0 { 0.0 } else { 1.0 };
     assert!(
         (sum - expected).abs() <= SUM_ULP * T::ULP,
-        "{w:e} + {mirrored:e} at {a:e}, {b:e}"
+        "{w:?} + {mirrored:?} at {a:?}, {b:?}"
     );
     // The limits, then the definition where no limit is near.
     let ratio = f(x / y);
@@ -56,15 +59,15 @@ fn heuristic<T: Float>(weight: fn(T, T) -> T, a: T, b: T, f: fn(f64) -> f64) {
         let slack = VALUE_ULP * T::ULP * exact + 2.0 * T::SMALLEST;
         assert!(
             (w.wide() - exact).abs() <= slack,
-            "{w:e} is not {exact:e} at {a:e}, {b:e}"
+            "{w:?} is not {exact:?} at {a:?}, {b:?}"
         );
     } else if x.is_infinite() != y.is_infinite() {
         assert_eq!(
             w.wide(),
             f64::from(u8::from(x.is_infinite())),
-            "at {a:e}, {b:e}"
+            "at {a:?}, {b:?}"
         );
     } else if x == y && x > 0.0 {
-        assert_eq!(w.wide(), 0.5, "at {a:e}, {b:e}");
+        assert_eq!(w.wide(), 0.5, "at {a:?}, {b:?}");
     }
 }

@@ -325,8 +325,9 @@ impl Kernel for Fast<f32> {
         let log = Fast(power::ln_upper(p.lower().0, p.upper().0));
         let a = log / n;
         let sin = if -a.0 < 1e-30 {
-            // sin²θ = −2a, which for large n underflows before its root does.
-            Scalar::sqrt(-(log + log)) / Scalar::sqrt(n)
+            // sin²θ = −2a, which for large n underflows before its root does. The logarithm is not
+            // positive, and its size has no −0 for a root to keep.
+            Scalar::sqrt((log + log).abs()) / Scalar::sqrt(n)
         } else {
             Scalar::sqrt(Self::one_minus_exp(a + a))
         };

@@ -1,6 +1,7 @@
-//! Every `f32` operation in one image. It links only if no panic is reachable, since the panic handler
-//! calls a symbol that exists nowhere, and `check` refuses it if a soft-double routine is linked.
-//! `--cfg planted` adds one sum in `f64`, which the check must catch.
+//! Every `f32` and `Fast<f32>` operation in one image. It links only if no panic is reachable, since the
+//! panic handler calls a symbol that exists nowhere, and `check` refuses it if a soft-double routine is
+//! linked. `--cfg planted` adds one sum in `f64`, which the check must catch. `--cfg precise` is the image
+//! of the `Precise` types instead, which compute in `f64`: that it links shows that they cannot panic.
 #![no_std]
 #![no_main]
 
@@ -36,7 +37,7 @@ impl TryRng for Words {
     }
 }
 
-fn every_operation(law: &impl Law<f32>, x: f32) -> f32 {
+fn every_operation<T: Real>(law: &impl Law<T>, x: T) -> T {
     let (a, b, m) = (law.warp(x), law.warp_sf(x), law.moments());
     law.pdf(x)
         + law.ln_pdf(x)
@@ -54,17 +55,18 @@ fn every_operation(law: &impl Law<f32>, x: f32) -> f32 {
         + m.var_theta
 }
 
-fn point(law: &(impl Tangent<f32> + SpatialPoint<f32>), rho: Radius<f32>, rng: &mut Words) -> f32 {
-    let at = law.warp(0.5);
-    law.point_density(rho, at, 0.1)
-        + law.ln_point_density(rho, at, 0.1)
-        + law.sample_point(rho, rng)[0]
+fn point<T: Real>(
+    law: &(impl Tangent<T> + SpatialPoint<T>),
+    rho: Radius<T>,
+    x: T,
+    rng: &mut Words,
+) -> T {
+    let at = law.warp(x);
+    law.point_density(rho, at, x) + law.ln_point_density(rho, at, x) + law.sample_point(rho, rng)[0]
 }
 
-/// The image's entry: what it returns depends on every operation.
-#[unsafe(no_mangle)]
-pub extern "C" fn _start(x: f32, seed: u32) -> f32 {
-    let mut rng = Words(seed);
+/// A number that depends on every operation.
+fn image<T: Real>(x: T, one: T, rng: &mut Words) -> T {
     let mut sum = every_operation(&Disk, x)
         + every_operation(&CircleShell, x)
         + every_operation(&CircleArc, x)
@@ -72,21 +74,31 @@ pub extern "C" fn _start(x: f32, seed: u32) -> f32 {
         + every_operation(&SphereShell, x)
         + every_operation(&Lambert, x);
     if let Ok(law) = CosPower::new(x) {
-        let d = law.sample(&mut rng);
-        sum += every_operation(&law, x) + d[0] + law.pdf_solid_angle(x);
+        let d = law.sample(rng);
+        sum = sum + every_operation(&law, x) + d[0] + law.pdf_solid_angle(x);
     }
     if let Ok(rho) = Radius::new(x) {
-        sum += point(&Ball, rho, &mut rng) + point(&SphereShell, rho, &mut rng);
-        sum += point(&Lambert, rho, &mut rng) + Disk.sample_point(rho, &mut rng)[0];
+        sum = sum + point(&Ball, rho, x, rng) + point(&SphereShell, rho, x, rng);
+        sum = sum + point(&Lambert, rho, x, rng) + Disk.sample_point(rho, rng)[0];
     }
-    if let Ok(frame) = Frame::new([x, sum, 1.0]) {
-        sum += frame.to_local([1.0, x, sum])[0] + frame.to_world([1.0, x, sum])[0];
+    if let Ok(frame) = Frame::new([x, sum, one]) {
+        sum = sum + frame.to_local([one, x, sum])[0] + frame.to_world([one, x, sum])[0];
     }
-    let around: [f32; 3] = Ball.sample_around([0.0, x, 1.0], &mut rng);
-    let flat: [f32; 2] = Disk.sample(&mut rng);
-    sum += around[0] + flat[0] + Lambert.unwarp_direction([x, sum, 1.0])[1];
-    sum +=
-        Lambert.warp_direction([x, sum])[0] + balance_heuristic(x, sum) + power_heuristic(x, sum);
+    let around: [T; 3] = Ball.sample_around([one - one, x, one], rng);
+    let flat: [T; 2] = Disk.sample(rng);
+    sum = sum + around[0] + flat[0] + Lambert.unwarp_direction([x, sum, one])[1];
+    sum + Lambert.warp_direction([x, sum])[0] + balance_heuristic(x, sum) + power_heuristic(x, sum)
+}
+
+/// The image's entry.
+#[unsafe(no_mangle)]
+pub extern "C" fn _start(x: f32, seed: u32) -> f32 {
+    let rng = &mut Words(seed);
+    if cfg!(precise) {
+        let double = image(Precise(f64::from(x)), Precise(1.0), rng).0;
+        return image(Precise(x), Precise(1.0), rng).0 + double as f32;
+    }
+    let mut sum = image(x, 1.0, rng) + image(Fast(x), Fast(1.0), rng).0;
     if cfg!(planted) {
         sum = (f64::from(sum) + 0.1) as f32;
     }
