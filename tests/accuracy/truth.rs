@@ -86,6 +86,19 @@ impl<F: Format> Truth<F> {
         self.ties += u64::from(tie);
     }
 
+    /// A tie that is none after all: the true value lies `above` it, or below.
+    pub fn break_tie(&mut self, i: usize, above: bool) {
+        let (even, tie) = (self.nearest[i], self.value[i].near());
+        let bits = even.bits();
+        self.nearest[i] = match (even.wide() > tie, above) {
+            (true, false) => F::of_bits(bits - 1),
+            (false, true) => F::of_bits(bits + 1),
+            _ => even,
+        };
+        self.tie[i] = false;
+        self.ties -= 1;
+    }
+
     /// A logarithm that crosses zero is judged in ulps of 1 around there.
     pub fn absolute_below_one(&mut self, i: usize) {
         if self.value[i].near().abs() < 1.0 {

@@ -88,6 +88,26 @@ pub fn values<F: Format, W: Wide>(law: Id, input: Input, x: F) -> Vec<W> {
     }
 }
 
+/// What looks like a tie at a tiny angle is one only if nothing follows the leading power of θ, and
+/// what follows may be too small for any format. It has the same sign at 2ˢθ, where it is seen:
+/// whether the true value lies above `tie` (`true`), below, or on it (`None`).
+fn beyond_tie<F: Format>(law: Id, a: &Angle<F>, k: usize, tie: f64) -> Option<bool> {
+    let s = -28 - a.theta.wide().log2().floor() as i32;
+    let tame = !matches!(law, Id::CosPower(exponent) if exponent > 1e3);
+    if F::DIGITS != 24 || s <= 0 || !tame {
+        return None;
+    }
+    let up = 2f64.powi(s);
+    let at = Direction::<F::Fine>::at_angle(a.theta.wide() * up);
+    let sin = a.pair.sin.wide() * up;
+    let paired = Direction::at_pair((1.0 - sin * sin).sqrt(), sin);
+    let value = at_angle(&Formula::new(law), &at, &paired, 1.0)[k];
+    let power = ((value.near() / tie).log2() / f64::from(s)).round();
+    let lifted = tie * up.powf(power);
+    let beyond = value.minus(lifted) / lifted;
+    (beyond.abs() > 1e-25).then_some(beyond > 0.0)
+}
+
 /// True values of a law over a block, one for each entry of what [`slots`] refers to.
 pub struct Truths<F: Format>(Vec<Truth<F>>);
 
@@ -158,6 +178,11 @@ impl<F: Format> Truths<F> {
                     continue;
                 }
                 self.0[k].put(i, want, terms, || fine(k));
+                if self.0[k].tie[i] {
+                    if let Some(beyond) = beyond_tie(law, a, k, self.0[k].value[i].near()) {
+                        self.0[k].break_tie(i, beyond);
+                    }
+                }
             }
             if let Id::CosPower(_) = law {
                 self.0[1].absolute_below_one(i);
