@@ -35,7 +35,7 @@ M = q + q * V * Q + rest0 - err;
    /\\ |err| <= {exact(form.u * 2.0 ** -(form.half - 5) * high)} -> |r - M| in ? /\\ |y - M| in ? }}
 y - M -> (y - r) + (r - M);
 r - M -> (rest - (rest0 + qvh)) + (qvh - q * V * P) + q * V * (P - Q) + err;
-$ q in 32;
+$ q in 20;
 """, ["r - M", "y - M"], ulp(form, k))
             continue
         base = f"{eighths} * {exact(lead)}"
@@ -68,7 +68,9 @@ $ q in 24;
 def atan_pieces():
     """(eighths of a turn/8, sign of q, q from, q to, binade of the angle)."""
     for low, high, k in binades(math.atan, 0.5000001):
-        yield 0, 1, low, high, k
+        # The largest errors are beside q = 1/2: its end of the binade apart, to be bisected finer.
+        for a, b in [(low, 0.45), (0.45, high)] if high > 0.45 else [(low, high)]:
+            yield 0, 1, a, b, k
     # pi/4 - atan q, q <= 1/3: from 0.4636; pi/4 + atan q: to 1.107; pi/2 - atan q: from 1.107.
     yield 1, -1, 0.29321, 0.3334, -2
     yield 1, -1, 1e-9, 0.29343, -1
