@@ -180,6 +180,12 @@ fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
     }
 }
 
+/// √f(a) where f would lose digits of a.
+#[cold]
+fn root_of_subnormal(a: Fast<f32>, f: impl Fn(Fast<f32>) -> Fast<f32>) -> Fast<f32> {
+    Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
+}
+
 /// c·eᵃ where eᵃ alone would leave the range of the format.
 #[cold]
 fn far_exp_times(a: f32, c: Fast<f32>) -> Fast<f32> {
@@ -216,7 +222,11 @@ impl Kernel for Fast<f32> {
 
     #[inline(always)]
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
-        Scalar::sqrt(f(a))
+        if a.0 < f32::MIN_POSITIVE {
+            root_of_subnormal(a, f)
+        } else {
+            Scalar::sqrt(f(a))
+        }
     }
     #[inline(always)]
     fn fourth_root(self) -> (Self, Self) {
