@@ -73,6 +73,36 @@ fn f32_moments() {
     agrees(f64::from(f32::EPSILON), |x| Fast(x as f32), f64::from);
 }
 
+/// `CosPower` in `Precise<f32>` too gives the nearest number, where k is one of the format: it computes in
+/// `f64`. `Precise<f64>` does so as well, and so has `f64`'s own errors there.
+#[test]
+fn precise_f32_moments_of_a_lobe_are_the_nearest() {
+    let table = include_str!("reference/moments.csv");
+    let mut checked = 0;
+    for line in table.lines().filter(|l| l.starts_with("CosPower")) {
+        let cells: Vec<_> = line.split(',').collect();
+        let k = cells[0]
+            .trim_start_matches("CosPower(")
+            .trim_end_matches(')');
+        let k: f64 = k.parse().expect("an exponent");
+        if f64::from(k as f32) != k {
+            continue;
+        }
+        let want = f64::from_bits(u64::from_str_radix(cells[2], 16).expect("hex bits"));
+        let m = moments(cells[0], |x| Precise(x as f32));
+        let got = match cells[1] {
+            "mean_cos" => m.mean_cos,
+            "var_cos" => m.var_cos,
+            "mean_theta" => m.mean_theta,
+            "var_theta" => m.var_theta,
+            _ => m.entropy,
+        };
+        assert_eq!(got.0, want as f32, "{line}");
+        checked += 1;
+    }
+    assert!(checked >= 20, "{checked}");
+}
+
 #[test]
 fn the_largest_exponents_have_finite_moments() {
     let m = CosPower::new(f64::MAX).expect("finite").moments();
