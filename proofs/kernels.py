@@ -2,8 +2,9 @@
 
 from angle import atan
 from circle import cosine, sine, turn_cos, turn_sin
+from cube import cbrt
 from disk import centre_of_sin, kepler_centre, kepler_tail, tail_of_cos
-from roots import ball_sin, cbrt, shell_density
+from roots import ball_sin, shell_density
 
 # name, polynomial, script, source, domain
 KERNELS = [
