@@ -47,6 +47,7 @@ H = {exact(hi)} + {exact(lo)};
 R = d * (H + (W * P));
 """
     hints = ("r - M -> (rest - (d * 0.5 + b)) + (b - d * (H - 1.5 + W * P)) + ((R - M) / R) * R;\n"
+             "b - d * (H - 1.5 + W * P) -> (b - (de + dwh)) + (de - d * exc) + d * (exc - (H - 1.5)) + (dwh - d * W * P);\n"
              "y - M -> (y - r) + (r - M);\n")
     value = lambda d: d * (math.pi / 2 + d * d * polynomial_value(cs, d * d))
     for low, high, k in binades(value, 0.3751):
