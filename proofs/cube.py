@@ -19,12 +19,12 @@ def source(form):
     return int(guess, 16), int(steps), 2.0 ** int(find(r"CBRT_RAISE: f\d\d = 1\.0 \+ power_of_two\((-\d+)\);"))
 
 
-def guess(form, constant, start, end):
-    """max |guess cbrt y - 1| on [start, end]: the guess falls as the bits of y grow, so ends bound each piece."""
+def guess(form, constant):
+    """max |guess cbrt y - 1|: the guess falls as the bits of y grow, so ends bound each piece."""
     big, small = ("d", "Q") if form.bits == 53 else ("f", "I")
     to = lambda x: struct.unpack(small, struct.pack(big, x))[0]
     of = lambda b: struct.unpack(big, struct.pack(small, b))[0]
-    first, last, n, worst = to(start) - 1, to(end) + 1, 1000, 0.0
+    first, last, n, worst = to(1.0), to(8.0), 6000, 0.0
     edges = [first + (last - first) * i // n for i in range(n + 1)]
     for low, high in zip(edges, edges[1:]):
         r_high, r_low = of(constant - low // 3), of(constant - high // 3)
@@ -32,31 +32,27 @@ def guess(form, constant, start, end):
     return worst * (1 + 1e-6)
 
 
-def iterates(form, planted, low, high):
-    """Where r cbrt y - 1 and t/cbrt y - 1 lie for cbrt y in [low, high]; `planted` has 0 for 14/81."""
+def iterates(form, planted):
+    """(bound of r's error, bound of |t/cbrt y - 1|); `planted` has 0 for 14/81."""
     constant, steps, raised = source(form)
     assert raised == 2.0**-form.half
-    e, noise = guess(form, constant, low**3, high**3), 8 * form.u
-    # f = 1 - y r^3: what the series of (1 - f)^(-1/3) leaves has coefficients below its first, and is
-    # positive for either sign of f. So r is too small, and Newton's steps leave it so.
+    e, noise = guess(form, constant), 8 * form.u
+    # f = 1 - y r^3: what the series of (1 - f)^(-1/3) leaves has coefficients below its first.
     f = (1 + e) ** 3 - 1
-    e = (1 + e) * (35 / 243 * f**4 / (1 - f) + (14 / 81 * f**3 if planted else 0)) + noise
+    left = 35 / 243 * f**4 / (1 - f) + (14 / 81 * f**3 if planted else 0)
+    e = (1 + e) * left + noise
     for _ in range(steps):
         e = 2 * e**2 + 4 / 3 * e**3 + e**4 / 3 + noise
-    above = e if planted else noise
-    # y raised r^2, three roundings; cut downwards by less than a place of [1, 2). At 2 or beyond it stays there.
-    t_high = raised + 2 * above + 2 * above**2 + 8 * form.u
-    t_low = raised - 2 * e - 8 * form.u - 2 * raised / low
-    return (-e, above), (min(t_low, 0.0), t_high)
+    # y raised r^2, three roundings; cutting what is raised by half a place errs by half a place.
+    t = (1 + e) ** 2 * (1 + 4 * form.u) * (1 + raised * (1 + 4 * raised)) - 1
+    return e, t
 
 
 def cbrt(form, cs, E):
-    """The last step: t is cut to half its digits, r and its square are off by what `iterates` says. E: planted."""
+    """The last step: t is cut to half its digits, r and its square are off by what `iterates` says."""
+    e, t = E
     C = exact(1 / 3 if form.bits == 53 else 11184811 / 2**25)
-    for i in range(16):
-        low, high = 1 + i / 16, 1 + (i + 1) / 16
-        e, t = iterates(form, E, low, high)
-        yield Part(head(form) + f"""
+    yield Part(head(form) + f"""
 @cut = float<{form.half},-2000,zr>;
 y = M * M * M;                      # a float; nothing here needs that
 t = cut(tt);                        # leading_half(): t * t is exact
@@ -74,7 +70,7 @@ D = (t - M) / M; H = r * M - 1;
 G = D * (3 + D * (3 + D));          # y - t^3 = -M^3 G
 S = -M * G / 3;                     # (y - t^3)/(3 M^2): t + S + S^2/M is M + F
 F = M * D * D * D * (5 + D * (5 + D * (2 + D / 3))) / 3;
-{{ M in [{low!r}, {high!r}] /\ D in [{exact(t[0])}, {exact(t[1])}] /\ H in [{exact(e[0])}, {exact(e[1])}] -> |r1 - M| in ? /\ |z - M| in ? }}
+{{ M in [1, 2] /\ |D| <= {exact(t)} /\ |H| <= {exact(e)} -> |r1 - M| in ? /\ |z - M| in ? }}
 z - M -> (z - r1) + (r1 - M);
 t -> M * (1 + D);
 r -> (1 + H) / M;
@@ -85,5 +81,5 @@ d -> (d + M * M * M * G) - M * M * M * G;
 k - 1 / (3 * M * M) -> (k - q * {C}) + (q - r * r) * {C} + (H * (2 + H) * {C} + ({C} - 1 / 3)) / (M * M);
 w - S * S / M -> (w - s2 * r) + (s2 - s * s) * r + (s - S) * (s + S) * r + S * S * H / M;
 s -> (s - S) + S;
-$ M in 2;
+$ M in 32;
 """, ["r1 - M", "z - M"], ulp(form, 0))
