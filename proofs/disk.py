@@ -4,19 +4,20 @@ import math
 
 from part import P, Part, binades, head, polynomial_value, ulp
 from tables import exact
-from tools import horner
+from tools import by_fours, horner
 
 
 def kepler_tail(form, cs, E):
-    """kepler.rs solve below p = 1/8: eta of the rounded s, without s's own error."""
+    """kepler.rs from_end_at, p < 1/8: eta of the rounded s, without s's own error."""
     body = head(form) + f"""
 s = fl(ss);
 t fl= s * s;
 st fl= s * t;
-{horner(form, "h", "t", "kepler_tail", cs)}
-b fl= st * h;                       # s * t * horner(t, kepler_tail)
+{by_fours("h", "t", cs, "fl")}
+b fl= st * h;                       # s * t * bend
 r = s * 0.5 + b;                    # fast_sum: exact
-T = s * s; P = {P(form, "kepler_tail", "T", cs)};
+T = s * s;
+{by_fours("P", "T", cs, "")}
 R = s * 0.5 + s * T * P;
 """
     hints = "r - M -> (b - s * T * P) + ((R - M) / R) * R;\n"
@@ -26,24 +27,27 @@ R = s * 0.5 + s * T * P;
 
 
 def kepler_centre(form, cs, E):
-    """kepler.rs solve from p = 1/8 on: theta of the rounded d, without d's own error."""
+    """kepler.rs from_axis_at, p >= 1/8: theta of the rounded d, without d's own error."""
     hi, lo = form.pair["half_pi"]
     body = head(form) + f"""
 d = fl(dd);
 w fl= d * d;
 exc fl= ({exact(hi - 1.5)}) + {exact(lo)};   # half_pi.hi - ONE - HALF is exact
-{horner(form, "h", "w", "kepler_centre", cs)}
-wh fl= w * h;
-a fl= exc + wh;
-b fl= d * a;
+{by_fours("h", "w", cs, "fl")}
+de fl= d * exc;
+dw fl= d * w;
+dwh fl= dw * h;                     # d * w * bend
+b fl= de + dwh;
 rest fl= d * 0.5 + b;
 r = d + rest;                       # fast_sum: exact
 y fl= d + rest;                     # angle_at_tail's one rounding
-W = d * d; P = {P(form, "kepler_centre", "W", cs)};
+W = d * d;
+{by_fours("P", "W", cs, "")}
 H = {exact(hi)} + {exact(lo)};
 R = d * (H + (W * P));
 """
     hints = ("r - M -> (rest - (d * 0.5 + b)) + (b - d * (H - 1.5 + W * P)) + ((R - M) / R) * R;\n"
+             "b - d * (H - 1.5 + W * P) -> (b - (de + dwh)) + (de - d * exc) + d * (exc - (H - 1.5)) + (dwh - d * W * P);\n"
              "y - M -> (y - r) + (r - M);\n")
     value = lambda d: d * (math.pi / 2 + d * d * polynomial_value(cs, d * d))
     for low, high, k in binades(value, 0.3751):

@@ -2,8 +2,9 @@
 
 from angle import atan
 from circle import cosine, sine, turn_cos, turn_sin
-from disk import centre_of_sin, kepler_centre, kepler_tail, tail_of_cos
-from roots import ball_sin, cbrt, shell_density
+from cube import cbrt
+from disk import centre_of_sin, kepler_tail, tail_of_cos
+from roots import ball_sin, shell_density
 
 # name, polynomial, script, source, domain
 KERNELS = [
@@ -13,7 +14,6 @@ KERNELS = [
     ("turn cos", "cos_turn", turn_cos, "turn.rs", "[0, 1/8]"),
     ("cbrt", None, cbrt, "cbrt.rs", "(0, inf)"),
     ("kepler tail", "kepler_tail", kepler_tail, "kepler.rs", "p < 1/8"),
-    ("kepler centre", "kepler_centre", kepler_centre, "kepler.rs", "[1/8, 1/2]"),
     ("disk tail of cos", "disk_tail_of_cos", tail_of_cos, "kepler.rs", "(0, 0.7071]"),
     ("disk tail of sin", "disk_centre_of_sin", centre_of_sin, "kepler.rs", "[0, 0.7071]"),
     ("atan", "atan", atan, "atan.rs", "[0, inf]"),

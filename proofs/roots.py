@@ -1,36 +1,9 @@
-"""cbrt.rs, and what the laws make of square roots and powers."""
+"""What the laws make of square roots and powers."""
 
 import math
 
 from part import Part, head, ulp
 from tables import exact
-
-
-def cbrt(form, cs, E):
-    """cbrt.rs, last step, for x scaled into [1, 8) by powers of 8: t is cut to half its digits."""
-    e = 2.0 ** (1.1 - form.half)
-    yield Part(head(form) + f"""
-@cut = float<{form.half},-2000,zr>;
-y = fl(yy);
-t = cut(tt);                        # t.leading_half(): t * t is exact
-r fl= y / (t * t);
-d fl= r - t;                        # exact: r is beside t
-s fl= 2 * t + r;                    # t + t is exact
-q fl= d / s;
-p fl= t * q;
-r1 = t + p;
-z fl= t + p;
-R = y / (t * t); D = R - t; S = 2 * t + R;
-F = t + t * (D / S);
-{{ t in [0.999, 2.001] /\\ |D| <= {6.01 * e!r} /\\ R in [0.99, 2.01] /\\ |(F - M) / M| <= {exact(E)} /\\ M in [1, 2]
-  -> |r1 - M| in ? /\\ |z - M| in ? }}
-z - M -> (z - r1) + (r1 - M);
-r1 - M -> (p - t * (D / S)) + ((F - M) / M) * M;
-d - D -> (d - (r - t)) + (r - R);
-r - t -> (r - R) + D;
-d / s - D / S -> (d - D) / s - (D / S) * ((s - S) / s);
-$ t in 8;
-""", ["r1 - M", "z - M"], ulp(form, 0))
 
 
 def ball_sin(form, cs, E):

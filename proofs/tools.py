@@ -120,6 +120,26 @@ def horner(form, out, v, name, coefficients):
     return "\n".join(lines)
 
 
+def by_fours(out, v, coefficients, rounding):
+    """Gappa lines of poly.rs's by_fours, rounded or (rounding = "") exact: four Horner sums in v^4."""
+    lines = [f"{out}x2 {rounding}= {v} * {v};", f"{out}x4 {rounding}= {out}x2 * {out}x2;"]
+    for part in range(4):
+        *rest, last = coefficients[part::4]
+        last = exact(last)
+        for i, k in reversed(list(enumerate(rest))):
+            lines += [f"{out}m{part}_{i} {rounding}= {last} * {out}x4;",
+                      f"{out}s{part}_{i} {rounding}= {out}m{part}_{i} + {exact(k)};"]
+            last = f"{out}s{part}_{i}"
+        lines.append(f"{out}{part} = {last};")
+    for name, left, sign, right in [
+        ("a", "x2", "*", "2"), ("b", "0", "+", "a"), ("c", "x2", "*", "3"), ("e", "1", "+", "c"),
+        ("f", v, "*", "e"), ("", "b", "+", "f"),
+    ]:
+        left = left if left == v else out + left
+        lines.append(f"{out}{name} {rounding}= {left} {sign} {out}{right};")
+    return "\n".join(lines)
+
+
 def gappa(script, goals):
     """The proved upper bounds of |goal|, one a goal, or None for one that has no proof."""
     with tempfile.NamedTemporaryFile("w", suffix=".g") as f:
