@@ -35,14 +35,14 @@ fn scaled<T: Native>(y: T) -> T {
     (t + (s + s * s * r)) * T::CBRT_DOWN
 }
 
-/// ∛x for x ≥ 0, at most moderately large. Error < 1 ulp.
+/// ∛x for x ≥ 0, at most moderately large. Error < 1 ulp as observed; proved < 1 (f32), < 1.2 (f64).
 #[inline(always)]
 pub(crate) fn cbrt<T: Native>(x: T) -> T {
     // Scaled up always, so that subnormal numbers need no branch.
     scaled(x * T::CBRT_UP)
 }
 
-/// ∛(k·x) for x ≥ 0 and moderate k > 0. Error < 1 ulp.
+/// ∛(k·x) for x ≥ 0 and moderate k > 0; rounding y adds up to ⅔ ulp to the error.
 #[inline(always)]
 pub(crate) fn cbrt_times<T: Native>(k: Pair<T>, x: T) -> T {
     scaled(x * (k.hi * T::CBRT_UP) + x * (k.lo * T::CBRT_UP))
