@@ -104,6 +104,23 @@ fn logarithms_that_cross_zero() {
     crosses_zero::<f64>();
 }
 
+/// 1 − cosⁿθ of an angle with few digits lies beside a tie, by less than any format tells.
+#[test]
+fn short_angles_round_to_the_right_side() {
+    let ids = [
+        Id::Ball,
+        Id::SphereShell,
+        Id::Lambert,
+        Id::CosPower(0.0),
+        Id::CosPower(0.5),
+        Id::CosPower(1.0),
+    ];
+    let subjects = Subject::<f32>::all(&ids);
+    let bits = (0..0x3F80_0000).step_by(1 << 11);
+    let angles: Vec<_> = bits.map(f32::from_bits).collect();
+    holds(&subjects, &judge(&subjects, Input::Angle, &angles));
+}
+
 #[test]
 fn quantiles_are_monotone_and_odd() {
     never_steps_back(|s| monotone::strided(s, 101), f32::tiers);
