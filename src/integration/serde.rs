@@ -90,9 +90,7 @@ impl fmt::Display for UnitError {
 fn check_unit<T: Real>(normal: [T; 3]) -> Result<(), UnitError> {
     Frame::new(normal).map_err(UnitError::Normal)?;
     let excess = normal.iter().fold(-T::ONE, |sum, &c| sum + c * c);
-    // ±ε of the format, which `Precise` shares with the plain type.
-    let epsilon = (T::int(4) / T::int(3) - T::ONE) * T::int(3) - T::ONE;
-    if excess.abs() <= (epsilon * T::int(32)).abs() {
+    if excess.abs() <= T::of_base(T::UNIT_SLACK) {
         Ok(())
     } else {
         Err(UnitError::Length)

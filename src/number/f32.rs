@@ -176,7 +176,7 @@ impl Native for f32 {
     #[inline(always)]
     fn cbrt_recip_guess(self) -> f32 {
         // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
-        f32::from_bits(0x54A2_1000 - self.to_bits() / 3)
+        f32::from_bits(0x54A2_1000_u32.wrapping_sub(self.to_bits() / 3))
     }
 }
 
@@ -201,6 +201,8 @@ impl Tier for f32 {
     type Quick = f32;
     type Work = f32;
     type Base = f32;
+
+    const UNIT_SLACK: f32 = power_of_two(-18);
     type TailBits = u64;
     type TurnBits = u32;
 

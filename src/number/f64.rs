@@ -181,7 +181,7 @@ impl Native for f64 {
     #[inline(always)]
     fn cbrt_recip_guess(self) -> f64 {
         // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
-        f64::from_bits(0x553E_ECAA_AAAA_A800 - self.to_bits() / 3)
+        f64::from_bits(0x553E_ECAA_AAAA_A800_u64.wrapping_sub(self.to_bits() / 3))
     }
 }
 
@@ -206,6 +206,8 @@ impl Tier for f64 {
     type Quick = f64;
     type Work = f64;
     type Base = f64;
+
+    const UNIT_SLACK: f64 = power_of_two(-34);
     type TailBits = u128;
     type TurnBits = u64;
 

@@ -70,6 +70,9 @@ pub trait Tier: Scalar {
     /// The format that exact constants are read from.
     type Base: Native;
 
+    /// How far the square of a unit vector's length may be from 1.
+    const UNIT_SLACK: Self::Base;
+
     /// The results of `fine`, rounded; those of `quick` where they can be seen to round alike.
     fn rounded<const N: usize>(
         margin: Margin,

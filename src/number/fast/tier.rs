@@ -38,6 +38,8 @@ impl Tier for Fast<f32> {
     type Quick = Self;
     type Work = Self;
     type Base = f32;
+
+    const UNIT_SLACK: f32 = 1.0 / 1024.0;
     type TailBits = u32;
     type TurnBits = u32;
 

@@ -74,6 +74,8 @@ impl Tier for Precise<f32> {
     type Quick = f64;
     type Work = Double;
     type Base = f64;
+
+    const UNIT_SLACK: f64 = power_of_two(-18);
     type TailBits = u64;
     type TurnBits = u32;
 

@@ -59,6 +59,8 @@ impl Tier for Precise<f64> {
     type Quick = Double;
     type Work = Scaled;
     type Base = f64;
+
+    const UNIT_SLACK: f64 = power_of_two(-34);
     type TailBits = u128;
     type TurnBits = u64;
 
