@@ -154,11 +154,19 @@ impl Kernel for Double {
     }
     #[inline]
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
-        if at.sin.hi < power_of_two(-60) {
+        let product = if at.sin.hi < power_of_two(-60) {
             // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
             -(k * at.sin * at.sin * Self::HALF)
         } else {
             k * Self::ln_cos(at)
+        };
+        // A pair that is no unit vector: the logarithm is −∞, and k tells the sign.
+        if product.is_finite() {
+            product
+        } else if k > Self::ZERO {
+            -Self::INFINITY
+        } else {
+            Self::INFINITY
         }
     }
     #[inline]
@@ -178,7 +186,9 @@ impl Kernel for Double {
     fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
         let square = at.sin * at.sin;
         let a = Self::ln_cos_power(n, at);
-        let lower = if n.hi * square.hi < power_of_two(-20) {
+        // Not where the square has lost digits to underflow.
+        let held = square.hi > power_of_two(-700);
+        let lower = if held && n.hi * square.hi < power_of_two(-20) {
             one_minus_power(n * Self::HALF, square)
         } else {
             Self::one_minus_exp(a)

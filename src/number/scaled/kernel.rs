@@ -171,7 +171,15 @@ impl Kernel for Scaled {
         Kernel::ln(x)
     }
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
-        k * Self::ln_cos(at)
+        let product = k * Self::ln_cos(at);
+        // A pair that is no unit vector: the logarithm is −∞, and k tells the sign.
+        if product.is_finite() {
+            product
+        } else if k > Self::ZERO {
+            -Self::INFINITY
+        } else {
+            Self::INFINITY
+        }
     }
     fn exp_times(a: Self, c: Self) -> Self {
         if a.is_below(-DIGITS) {
