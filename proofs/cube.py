@@ -14,7 +14,7 @@ def source(form):
     """(guess's constant, CBRT_STEPS, CBRT_RAISE - 1), as the crate has them."""
     text = (ROOT / f"src/number/{form.name}.rs").read_text()
     find = lambda pattern: re.search(pattern, text)[1].replace("_", "")
-    guess = find(r"from_bits\((0x[0-9A-F_]+) - self\.to_bits\(\) / 3\)")
+    guess = find(r"from_bits\((0x[0-9A-F_]+)(?:_u\d\d)?\.wrapping_sub\(self\.to_bits\(\) / 3\)\)")
     steps = find(r"CBRT_STEPS: usize = (\d+);")
     return int(guess, 16), int(steps), 2.0 ** int(find(r"CBRT_RAISE: f\d\d = 1\.0 \+ power_of_two\((-\d+)\);"))
 
@@ -58,7 +58,7 @@ y = M * M * M;                      # a float; nothing here needs that
 t = cut(tt);                        # leading_half(): t * t is exact
 r = fl(rr);
 q fl= r * r;                        # square
-p fl= (t * t) * t;
+p = t * t * t;                      # in halves of t * t: exact but for the last difference
 d fl= y - p;
 k fl= q * {C};                # square * third
 s fl= d * k;
@@ -76,7 +76,7 @@ t -> M * (1 + D);
 r -> (1 + H) / M;
 r1 - M -> (v - (s + w)) + (s - S) + (w - S * S / M) + F;
 s - S -> (s - d * k) + (d + M * M * M * G) * k - M * M * M * G * (k - 1 / (3 * M * M));
-d + M * M * M * G -> (d - (y - p)) - (p - t * t * t);
+d + M * M * M * G -> d - (y - p);
 d -> (d + M * M * M * G) - M * M * M * G;
 k - 1 / (3 * M * M) -> (k - q * {C}) + (q - r * r) * {C} + (H * (2 + H) * {C} + ({C} - 1 / 3)) / (M * M);
 w - S * S / M -> (w - s2 * r) + (s2 - s * s) * r + (s - S) * (s + S) * r + S * S * H / M;
