@@ -63,7 +63,7 @@ fn from_end_at<T: Native>(p: T) -> Pair<T> {
 
 /// The angle from the axis whose nearer tail is p ≥ ⅛, as d = ½ − p and the rest.
 ///
-/// d is exact, so rounding cannot undo a step of it and their sum is monotone.
+/// d is exact from p = ¼ on and rounded monotonically below it, so a step of p is never undone.
 #[inline(always)]
 fn from_axis_at<T: Native>(p: T) -> (T, T) {
     let d = T::HALF - p;

@@ -121,7 +121,7 @@ fn errors_in_strides() {
 }
 
 #[test]
-#[ignore = "minutes"]
+#[ignore = "opt-in, minutes: cargo test --release fast -- --ignored --nocapture"]
 fn errors_at_every_float() {
     check(|row| row.dense, 1);
 }
@@ -152,7 +152,7 @@ fn turns() {
 }
 
 #[test]
-#[ignore = "minutes"]
+#[ignore = "opt-in, minutes: cargo test --release fast -- --ignored --nocapture"]
 fn turns_of_every_word() {
     let error = worst_turn(1);
     println!("turn: 2^{error:.2}");
