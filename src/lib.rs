@@ -67,6 +67,7 @@
 //! problem statement.
 
 pub mod accuracy;
+pub mod check;
 mod cos_sin;
 mod frame;
 pub mod integration;
