@@ -131,7 +131,25 @@ impl Polar {
         }
     }
 
-    /// Ends halved as often as leaves 2⁴ expected samples.
+    /// The same in eighths alone: fewer degrees of freedom see a smaller change of shape.
+    pub(super) fn eighths(&self) -> Option<Chi2> {
+        let mut eighths = [0; 8];
+        let sides = self.equal.iter().zip(&self.halved);
+        for (side, outwards) in sides.zip(eighths.chunks_exact_mut(4)) {
+            let (equal, halved) = side;
+            // The halved cell is the first of four; sums stay within the number of samples.
+            let mut cells = [0; EQUAL + 1];
+            let (first, others) = cells.split_at_mut(1);
+            first.fill(halved.iter().fold(0u16, |sum, &n| sum.saturating_add(n)));
+            others.copy_from_slice(equal);
+            for (eighth, four) in outwards.iter_mut().zip(cells.chunks_exact(4)) {
+                *eighth = four.iter().fold(0u16, |sum, &n| sum.saturating_add(n));
+            }
+        }
+        even(&eighths, 3)
+    }
+
+    /// The finer table: ends halved as often as leaves 2⁴ expected samples.
     pub(super) fn chi2(&self, n: u16) -> Chi2 {
         let depth = (n.max(1).ilog2().saturating_sub(FULL)).clamp(FIRST + 1, FIRST + 6);
         let n = u64::from(n);

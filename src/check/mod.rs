@@ -18,6 +18,7 @@
 //! |---|---|---|
 //! | [`Bits`](Statistic::Bits), [`Flips`](Statistic::Flips) | each bit of the generator's words, and whether it differs from the word before | stuck, biased and alternating bits, counters |
 //! | [`Azimuth`](Statistic::Azimuth) | 16 sectors of φ | a slice left out, a tilted axis |
+//! | [`Eighths`](Statistic::Eighths) | 8 of probability 1/8 in θ | a wrong exponent |
 //! | [`Polar`](Statistic::Polar) | 30 of probability 1/32, and the two ends halved again and again while 16 samples are expected | a wrong law, wrong tails |
 //! | [`PolarAzimuth`](Statistic::PolarAzimuth) | 8 × 8 | θ and φ made of the same bits |
 //! | [`PolarPairs`](Statistic::PolarPairs), [`AzimuthPairs`](Statistic::AzimuthPairs) | 8 × 8, of one sample and the next | correlated samples |
@@ -52,7 +53,7 @@ use words::{Tally, Tap};
 pub const SAMPLES: u16 = 1 << 14;
 
 /// Fewest samples for a verdict: below it the cells hold too few for χ².
-pub const FEWEST: u16 = 1 << 11;
+pub const FEWEST: u16 = 1 << 12;
 
 /// Counts samples and judges them; see [the module](self).
 ///
@@ -174,6 +175,7 @@ impl<S: Subject> Check<S> {
             bits: judge(Bits, alarm, self.words.bits())?,
             flips: judge(Flips, alarm, self.words.flips())?,
             azimuth: judge(Azimuth, alarm, self.sectors.chi2())?,
+            eighths: judge(Eighths, alarm, self.polar.eighths())?,
             polar: judge(Polar, alarm, Some(polar))?,
             polar_azimuth: judge(PolarAzimuth, alarm, self.polar_azimuth.chi2())?,
             polar_pairs: judge(PolarPairs, alarm, self.polar_pairs.chi2())?,

@@ -14,7 +14,9 @@ pub enum Statistic {
     Flips,
     /// φ.
     Azimuth,
-    /// θ.
+    /// θ in eighths.
+    Eighths,
+    /// θ in finer cells, the finest at both ends.
     Polar,
     /// θ and φ of a sample.
     PolarAzimuth,
@@ -58,6 +60,8 @@ pub struct Report {
     pub flips: Option<Score>,
     /// [`Statistic::Azimuth`], of spatial laws.
     pub azimuth: Option<Score>,
+    /// [`Statistic::Eighths`].
+    pub eighths: Option<Score>,
     /// [`Statistic::Polar`].
     pub polar: Option<Score>,
     /// [`Statistic::PolarAzimuth`], of spatial laws.

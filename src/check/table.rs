@@ -3,14 +3,13 @@
 use super::limits::Row;
 
 #[rustfmt::skip]
-pub(super) const TABLE: [Row; 9] = [
-    Row { freedom: 15, limits: [[8, 635], [3, 803]] },
-    Row { freedom: 32, limits: [[56, 935], [34, 1128]] },
-    Row { freedom: 33, limits: [[60, 951], [37, 1146]] },
-    Row { freedom: 35, limits: [[68, 984], [43, 1181]] },
-    Row { freedom: 37, limits: [[76, 1016], [49, 1216]] },
-    Row { freedom: 39, limits: [[85, 1048], [55, 1250]] },
-    Row { freedom: 41, limits: [[93, 1080], [62, 1284]] },
-    Row { freedom: 43, limits: [[102, 1111], [69, 1317]] },
-    Row { freedom: 63, limits: [[203, 1413], [150, 1640]] },
+pub(super) const TABLE: [Row; 8] = [
+    Row { freedom: 7, limits: [[0, 483], [0, 635]] },
+    Row { freedom: 15, limits: [[7, 653], [2, 820]] },
+    Row { freedom: 32, limits: [[54, 955], [33, 1147]] },
+    Row { freedom: 37, limits: [[73, 1037], [47, 1235]] },
+    Row { freedom: 39, limits: [[81, 1069], [53, 1269]] },
+    Row { freedom: 41, limits: [[90, 1101], [59, 1303]] },
+    Row { freedom: 43, limits: [[98, 1133], [66, 1337]] },
+    Row { freedom: 63, limits: [[196, 1437], [146, 1662]] },
 ];

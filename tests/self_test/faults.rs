@@ -5,10 +5,10 @@ use crate::samplers::{self, Verdict, judged};
 use coslobe::check::{self, Fault, InPlane, InSpace, Statistic};
 use coslobe::{Disk, Fast, Lambert, Precise};
 
-const SEEDS: std::ops::Range<u64> = 0..4;
+const SEEDS: std::ops::Range<u64> = 0..8;
 
 /// How a fault is called in the tables of faults.
-pub fn name(verdict: &Verdict) -> Option<String> {
+pub(crate) fn name(verdict: &Verdict) -> Option<String> {
     Some(match verdict {
         Ok(_) => return None,
         Err(Fault::Invalid { .. }) => "Invalid".into(),
@@ -30,23 +30,39 @@ fn lambert(rng: &mut Words) -> Verdict {
     )
 }
 
+/// What is listed as seen is seen at every seed, under that name; the rest is missed at one at least.
+fn agrees(fault: &str, found: &[Option<String>], expected: Option<&str>) {
+    match expected {
+        Some(_) => assert!(
+            found.iter().all(|f| f.as_deref() == expected),
+            "{fault}: {found:?}"
+        ),
+        None => assert!(
+            found.contains(&None),
+            "{fault} is listed as not seen: {found:?}"
+        ),
+    }
+}
+
 #[test]
 fn generators_are_judged_as_listed() {
     for (fault, make, expected) in generators::FAULTS {
+        let mut found = Vec::new();
         for seed in SEEDS {
-            let found = name(&lambert(&mut make(seed)));
-            assert_eq!(found.as_deref(), *expected, "{fault}, seed {seed}");
+            found.push(name(&lambert(&mut make(seed))));
         }
+        agrees(fault, &found, *expected);
     }
 }
 
 #[test]
 fn samplers_are_judged_as_listed() {
     for (fault, run, expected) in samplers::FAULTS {
+        let mut found = Vec::new();
         for seed in SEEDS {
-            let found = name(&by_default(*run, &mut generators::good(seed)));
-            assert_eq!(found.as_deref(), *expected, "{fault}, seed {seed}");
+            found.push(name(&by_default(*run, &mut generators::good(seed))));
         }
+        agrees(fault, &found, *expected);
     }
 }
 

@@ -5,7 +5,7 @@ use rand_pcg::Pcg32;
 use std::convert::Infallible;
 
 /// A generator made of a closure; a `u64` is two words, the low one first, as PCG has it.
-pub struct Words(pub Box<dyn FnMut() -> u32>);
+pub(crate) struct Words(pub(crate) Box<dyn FnMut() -> u32>);
 
 impl TryRng for Words {
     type Error = Infallible;
@@ -25,7 +25,7 @@ impl TryRng for Words {
 }
 
 /// A good generator.
-pub fn good(seed: u64) -> Words {
+pub(crate) fn good(seed: u64) -> Words {
     let mut rng = Pcg32::new(seed, 7);
     Words(Box::new(move || rng.next_u32()))
 }
@@ -44,7 +44,7 @@ fn counted(mut next: impl FnMut(u32) -> u32 + 'static) -> Words {
     }))
 }
 
-pub fn stuck_bit(seed: u64, bit: u32, high: bool) -> Words {
+pub(crate) fn stuck_bit(seed: u64, bit: u32, high: bool) -> Words {
     let mask = 1 << bit;
     changed(
         seed,
@@ -53,7 +53,7 @@ pub fn stuck_bit(seed: u64, bit: u32, high: bool) -> Words {
 }
 
 /// The bits of `mask` are 1 with probability ½ + `excess`.
-pub fn biased(seed: u64, mask: u32, excess: f64) -> Words {
+pub(crate) fn biased(seed: u64, mask: u32, excess: f64) -> Words {
     let share = (2.0 * excess * f64::from(u32::MAX)) as u32;
     changed(seed, move |word, other| {
         // Each bit on its own: those of `raise` are 1 with probability 2·excess.
@@ -65,7 +65,7 @@ pub fn biased(seed: u64, mask: u32, excess: f64) -> Words {
 }
 
 /// `words` words of a good generator, over and over.
-pub fn period(seed: u64, words: usize) -> Words {
+pub(crate) fn period(seed: u64, words: usize) -> Words {
     let mut rng = Pcg32::new(seed, 7);
     let cycle: Vec<u32> = (0..words).map(|_| rng.next_u32()).collect();
     let mut cycle = cycle.into_iter().cycle();
@@ -94,7 +94,7 @@ type Make = fn(u64) -> Words;
 
 /// What a fault is called, how it is made, and the fault that names it in the default check of
 /// `Lambert` in `f32`: none where it cannot be seen there.
-pub const FAULTS: &[(&str, Make, Option<&str>)] = &[
+pub(crate) const FAULTS: &[(&str, Make, Option<&str>)] = &[
     ("stuck at 0", |_| counted(|_| 0), Some("Repeats")),
     ("stuck at all-ones", |_| counted(|_| !0), Some("Repeats")),
     (
@@ -141,7 +141,7 @@ pub const FAULTS: &[(&str, Make, Option<&str>)] = &[
     (
         "every bit 1 with probability 0.505",
         |seed| biased(seed, !0, 0.005),
-        None,
+        Some("Bits"),
     ),
     (
         "highest bit 1 with probability 0.55",
