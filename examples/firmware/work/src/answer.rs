@@ -78,7 +78,7 @@ struct Lines<'a, W> {
 }
 
 impl<W: Write> Visitor for Lines<'_, W> {
-    fn visit(&mut self, subject: &impl Subject) {
+    fn visit<S: Subject>(&mut self, subject: &S) {
         if self.failed.is_ok() {
             self.failed = self.write(subject);
         }

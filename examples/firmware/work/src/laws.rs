@@ -54,7 +54,7 @@ impl<T> Named for CosPower<T> {
 /// Is shown subjects.
 pub trait Visitor {
     /// Looks at one.
-    fn visit(&mut self, subject: &impl Subject);
+    fn visit<S: Subject>(&mut self, subject: &S);
 }
 
 /// Shows every law in `T`; `CosPower` with [`EXPONENT`].

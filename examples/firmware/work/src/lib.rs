@@ -12,6 +12,8 @@ mod input;
 mod laws;
 mod number;
 mod planar;
+#[cfg(feature = "planted")]
+mod planted;
 mod spatial;
 mod stream;
 mod subject;

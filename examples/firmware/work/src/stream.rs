@@ -87,11 +87,25 @@ impl<'a, S: Subject> Walk<'a, S> {
     /// Gives the sink all results up to `index`.
     pub(crate) fn walk_to(&mut self, index: u32, sink: &mut impl Sink) {
         while self.index < index {
-            match self.stream {
-                Stream::Samples => self.sample(sink),
-                Stream::Values => self.subject.evaluate(self.index, sink),
-            }
+            self.step(sink);
             self.index += 1;
+        }
+    }
+
+    #[cfg(feature = "planted")]
+    fn step(&mut self, sink: &mut impl Sink) {
+        self.result(&mut crate::planted::Planted::at(S::LAW, self.index, sink));
+    }
+
+    #[cfg(not(feature = "planted"))]
+    fn step(&mut self, sink: &mut impl Sink) {
+        self.result(sink);
+    }
+
+    fn result(&mut self, sink: &mut impl Sink) {
+        match self.stream {
+            Stream::Samples => self.sample(sink),
+            Stream::Values => self.subject.evaluate(self.index, sink),
         }
     }
 
