@@ -7,6 +7,7 @@
 //! cargo run --release --example on_target -- hashes --full   # all of them: hours
 //! cargo run --release --example on_target -- hashes --bless  # writes the expected hashes
 //! cargo run --release --example on_target -- links           # proofs at link time
+//! cargo run --release --example on_target -- self-test       # the power-on check, with planted faults
 //! ```
 //!
 //! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is
@@ -23,6 +24,7 @@ mod links;
 mod qemu;
 mod report;
 mod run;
+mod self_test;
 mod start;
 mod types;
 
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         Task::Run => run::run(&mut report),
         Task::Hashes(options) => hashes::run(&options, &mut report),
         Task::Links => links::run(&mut report),
+        Task::SelfTest => self_test::run(&mut report),
     };
     report.finish(done)
 }

@@ -168,11 +168,7 @@ pub(crate) const FAULTS: &[(&str, Make, Option<&str>)] = &[
         |seed| period(seed, 1 << 12),
         Some("Repeats"),
     ),
-    (
-        "period of 2¹⁴ words",
-        |seed| period(seed, 1 << 14),
-        Some("Repeats"),
-    ),
+    ("period of 2¹⁴ words", |seed| period(seed, 1 << 14), None),
     ("period of 2¹⁶ words", |seed| period(seed, 1 << 16), None),
     (
         "each word twice",
@@ -216,7 +212,7 @@ pub(crate) const FAULTS: &[(&str, Make, Option<&str>)] = &[
     (
         "top bit as 3 words before, 20 % of the time",
         |seed| correlated(seed, 5),
-        Some("AzimuthPairs"),
+        Some("PolarPairs or AzimuthPairs"),
     ),
     (
         "top bit as 3 words before, 5 % of the time",

@@ -182,7 +182,7 @@ pub(crate) const FAULTS: &[(&str, Run, Option<&str>)] = &[
     (
         "sign of sin θ lost within 2° of −90°",
         |rng, at| judged(plane(CircleArc, |rng| sign_lost(2.0, rng)), rng, at),
-        Some("Polar"),
+        Some("Eighths or Polar"),
     ),
     (
         "sign of sin θ lost within 0.5° of −90°",
