@@ -18,6 +18,8 @@ pub(crate) enum Task {
     Hashes(Hashes),
     /// Proves of release images: no panic, allocation, static RAM, soft-double or law that is not used.
     Links,
+    /// Links a C program with the laws, runs it here and on every board; checks the C header.
+    C,
     /// Runs the power-on check on every board: with a good generator, and with planted faults.
     SelfTest,
 }

@@ -7,6 +7,7 @@
 //! cargo run --release --example on_target -- hashes --full   # all of them: hours
 //! cargo run --release --example on_target -- hashes --bless  # writes the expected hashes
 //! cargo run --release --example on_target -- links           # proofs at link time
+//! cargo run --release --example on_target -- c               # the C program
 //! cargo run --release --example on_target -- self-test       # the power-on check, with planted faults
 //! ```
 //!
@@ -16,6 +17,8 @@
 mod args;
 mod boards;
 mod build;
+mod c;
+mod c_values;
 mod difference;
 mod failure;
 mod hashes;
@@ -38,6 +41,7 @@ fn main() -> ExitCode {
         Task::Run => run::run(&mut report),
         Task::Hashes(options) => hashes::run(&options, &mut report),
         Task::Links => links::run(&mut report),
+        Task::C => c::run(&mut report),
         Task::SelfTest => self_test::run(&mut report),
     };
     report.finish(done)
