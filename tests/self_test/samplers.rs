@@ -27,18 +27,14 @@ impl<C: Subject, D: Fn(&mut dyn Rng) -> C::Sample> Subject for Posing<C, D> {
     }
 }
 
-fn plane<L: Planar<f32>>(
-    law: L,
-    draw: fn(&mut dyn Rng) -> [f32; 2],
-) -> Posing<InPlane<f32, L>, fn(&mut dyn Rng) -> [f32; 2]> {
+type Draw<const N: usize> = fn(&mut dyn Rng) -> [f32; N];
+
+fn plane<L: Planar<f32>>(law: L, draw: Draw<2>) -> Posing<InPlane<f32, L>, Draw<2>> {
     let claim = InPlane::new(law);
     Posing { claim, draw }
 }
 
-fn space<L: Spatial<f32>>(
-    law: L,
-    draw: fn(&mut dyn Rng) -> [f32; 3],
-) -> Posing<InSpace<f32, L>, fn(&mut dyn Rng) -> [f32; 3]> {
+fn space<L: Spatial<f32>>(law: L, draw: Draw<3>) -> Posing<InSpace<f32, L>, Draw<3>> {
     let claim = InSpace::new(law);
     Posing { claim, draw }
 }

@@ -51,7 +51,7 @@ pub(crate) fn generator(name: &str) -> Option<Generator> {
         "biased" => |word, _| biased(word),
         "period" => |_, i| {
             (i % 4096)
-                .wrapping_mul(i % 4096 | 1)
+                .wrapping_mul((i % 4096) | 1)
                 .wrapping_mul(0x9e37_79b9)
         },
         "counter" => |_, i| i,
