@@ -1,6 +1,7 @@
 //! [`Ball`]: cos θ = max(u₁, u₂, u₃, u₄).
 
 use super::kernel::mul::mul_high;
+use super::kernel::normal::normal;
 use super::kernel::recip::half_recip;
 use super::kernel::sqrt::{complement, fourth, halve, scaled};
 use super::law::{Tails, Words};
@@ -28,9 +29,9 @@ impl Words for Ball {
         }
         let (cos, square) = fourth(p.upper);
         // sin² = u / (1 + cos²), which does not cancel beside the axis.
-        let shift = p.lower.leading_zeros();
+        let (lower, shift) = normal(p.lower);
         let recip = half_recip((1 << 31) + (square >> 1));
-        let sin = scaled(mul_high(p.lower << shift, recip), shift);
+        let sin = scaled(mul_high(lower, recip), shift);
         spatial::pair(cos, halve(sin))
     }
 
@@ -70,7 +71,7 @@ impl Words for Ball {
 
     #[inline]
     fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
-        let (cos, v) = words::largest::<4, R>(rng);
-        words::spatial(cos >> 1, complement(v), rng)
+        let x = words::largest::<4, R>(rng);
+        words::spatial(x.0 >> 1, complement(words::less(x)), rng)
     }
 }

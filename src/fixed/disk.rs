@@ -1,6 +1,6 @@
 //! [`Disk`]: Kepler's equation.
 
-use super::kernel::cbrt::{cbrt, of_mantissa};
+use super::kernel::cbrt::{THIRD, cbrt};
 use super::kernel::kepler::from_end;
 use super::kernel::mul::mul_high;
 use super::kernel::turn::{cos_sin, quarter};
@@ -76,13 +76,11 @@ impl Words for Disk {
         planar::pdf(turn, lobe)
     }
 
-    /// The nearer tail from two words, and their lowest bit the sign.
+    /// ∛(2p) is the largest of three words, so that no root is taken; the others' lowest bits give the sign.
     #[inline]
     fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 2] {
-        let v = words::long(rng);
-        let shift = (v | 1).leading_zeros();
-        let m = (((v | 1) << shift) >> 32) as u32;
-        let (sin, cos) = quarter(from_end(of_mantissa(m, shift + 1)));
-        words::planar(cos, sin, (v as u32) << 31)
+        let (largest, low) = words::largest::<3, R>(rng);
+        let (sin, cos) = quarter(from_end(mul_high(largest, THIRD)));
+        words::planar(cos, sin, low << 31)
     }
 }

@@ -58,7 +58,7 @@ impl Words for Lambert {
 
     #[inline]
     fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
-        let (cos, v) = words::largest::<2, R>(rng);
-        words::spatial(cos >> 1, complement(v), rng)
+        let x = words::largest::<2, R>(rng);
+        words::spatial(x.0 >> 1, complement(words::less(x)), rng)
     }
 }

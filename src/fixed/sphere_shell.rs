@@ -2,6 +2,7 @@
 
 use super::kernel::cbrt::cbrt;
 use super::kernel::mul::mul_high;
+use super::kernel::normal::normal;
 use super::kernel::recip::half_recip;
 use super::kernel::sqrt::{complement, halve, scaled};
 use super::law::{Tails, Words};
@@ -32,8 +33,8 @@ impl Words for SphereShell {
         let quarter = (1 << 30) + (cos >> 2) + (mul_high(cos, cos) >> 2);
         let less = (quarter >> 31) ^ 1;
         let recip = half_recip(quarter << less);
-        let shift = p.lower.leading_zeros();
-        let square = mul_high(mul_high(p.lower << shift, (1 << 31) + (cos >> 1)), recip);
+        let (lower, shift) = normal(p.lower);
+        let square = mul_high(mul_high(lower, (1 << 31) + (cos >> 1)), recip);
         let sin = scaled(square, shift.wrapping_sub(less));
         spatial::pair(halve(cos), halve(sin))
     }
@@ -71,7 +72,7 @@ impl Words for SphereShell {
 
     #[inline]
     fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
-        let (cos, v) = words::largest::<3, R>(rng);
-        words::spatial(cos >> 1, complement(v), rng)
+        let x = words::largest::<3, R>(rng);
+        words::spatial(x.0 >> 1, complement(words::less(x)), rng)
     }
 }

@@ -5,21 +5,26 @@ use super::kernel::turn::{ONE, quarter, signed};
 use ::fixed::types::I1F31;
 use rand_core::Rng;
 
-/// The largest of N uniform words, X, in Q32, and 1 − X in Q64: never 0.
+/// The largest of N uniform words, X, in Q64.
 ///
 /// X has the law of U^(1/N): a maximum costs a comparison where a root costs a hundred instructions, and
 /// is as fine near 0 as the word itself. Near 1 it continues with the bits of the words that lost: given the
 /// maximum they are uniform below it, so their exclusive or is uniform (to 1 − X, relatively).
 #[inline(always)]
-pub(crate) fn largest<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> (u32, u64) {
+pub(crate) fn largest<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
     let (mut largest, mut mixed) = (0, 0);
     for _ in 0..N {
         let word = rng.next_u32();
         largest = word.max(largest);
         mixed ^= word;
     }
-    let low = mixed ^ largest;
-    (largest, (u64::from(!largest) << 32) | u64::from(!low | 1))
+    (largest, mixed ^ largest)
+}
+
+/// 1 − X in Q64, never 0.
+#[inline(always)]
+pub(crate) fn less((high, low): (u32, u32)) -> u64 {
+    (u64::from(!high) << 32) | u64::from(!low | 1)
 }
 
 /// Two words as one uniform number in Q64, never 0; its lowest bit is free for a sign.

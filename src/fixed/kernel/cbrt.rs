@@ -1,10 +1,11 @@
 //! Cube roots.
 
 use super::mul::mul_high;
+use super::normal::normal;
 use super::table::CBRT;
 
 /// 2^(−1/3) and 2^(−2/3) in Q32.
-const THIRD: u32 = 3408917802;
+pub(crate) const THIRD: u32 = 3408917802;
 const TWO_THIRDS: u32 = 2705659852;
 
 /// ∛(m·2⁻ᵉ) in Q32, of m ≥ 2³¹ in Q32, e < 96.
@@ -28,6 +29,6 @@ pub(crate) fn cbrt(x: u32) -> u32 {
     if x == 0 {
         return 0;
     }
-    let shift = x.leading_zeros();
-    of_mantissa(x << shift, shift)
+    let (m, shift) = normal(x);
+    of_mantissa(m, shift)
 }

@@ -4,6 +4,7 @@ pub(crate) mod angle;
 pub(crate) mod cbrt;
 pub(crate) mod kepler;
 pub(crate) mod mul;
+pub(crate) mod normal;
 pub(crate) mod poly;
 pub(crate) mod recip;
 pub(crate) mod sqrt;

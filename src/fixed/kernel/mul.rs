@@ -34,13 +34,18 @@ mod of {
 
 pub(crate) use of::{mul_high, mul_high_signed};
 
+/// The low half of `b` is taken as a signed number, so that LLVM does not find a long product in this and call the
+/// routine after all.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
 fn by_halves(a: u32, b: u32) -> u32 {
-    let (a1, a0, b1, b0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
-    let middle = a1 * b0 + ((a0 * b0) >> 16);
-    let other = a0 * b1 + (middle & 0xFFFF);
-    a1 * b1 + (middle >> 16) + (other >> 16)
+    let (a1, a0, b0) = (a >> 16, a & 0xFFFF, i32::from(b as i16));
+    let b1 = (b >> 16) + ((b >> 15) & 1);
+    let middle = a1 as i32 * b0 + ((a0 as i32 * b0) >> 16);
+    let other = a0 * b1 + (middle as u32 & 0xFFFF);
+    (a1 * b1)
+        .wrapping_add_signed(middle >> 16)
+        .wrapping_add(other >> 16)
 }
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]

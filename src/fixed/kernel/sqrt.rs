@@ -4,6 +4,7 @@
 //! remainder of its square gives the other 16. Two long products, all others short.
 
 use super::mul::mul_high;
+use super::normal::normal;
 use super::table::RECIP_SQRT;
 
 /// √(m·2⁻³²⁻ᵒᵈᵈ) in Q32, for m ≥ 2³¹ and odd 0 or 1.
@@ -32,9 +33,9 @@ pub(crate) fn scaled(x: u32, e: u32) -> u32 {
     if x == 0 {
         return 0;
     }
-    let shift = x.leading_zeros();
+    let (m, shift) = normal(x);
     let e = e.wrapping_add(shift);
-    of_mantissa(x << shift, e & 1) >> (e >> 1).min(31)
+    of_mantissa(m, e & 1) >> (e >> 1).min(31)
 }
 
 /// √x in Q31, of x in Q32.
@@ -49,9 +50,9 @@ pub(crate) fn fourth(x: u32) -> (u32, u32) {
     if x == 0 {
         return (0, 0);
     }
-    let shift = x.leading_zeros();
+    let (m, shift) = normal(x);
     // The error of one unit must not leave the mantissa's range.
-    let root = of_mantissa(x << shift, shift & 1) | (1 << 31);
+    let root = of_mantissa(m, shift & 1) | (1 << 31);
     let e = shift >> 1;
     (halve(of_mantissa(root, e & 1) >> (e >> 1)), root >> e)
 }
@@ -60,19 +61,17 @@ pub(crate) fn fourth(x: u32) -> (u32, u32) {
 #[inline(always)]
 pub(crate) fn complement(v: u64) -> u32 {
     let (high, low) = ((v >> 32) as u32, v as u32);
-    let (m, shift) = if high != 0 {
-        let shift = high.leading_zeros();
-        ((high << shift) | ((low >> 1) >> (31 - shift)), shift)
-    } else if low != 0 {
-        let shift = low.leading_zeros();
-        (low << shift, shift + 32)
+    let (leading, next, more) = if high == 0 {
+        (low, 0, 32)
     } else {
-        return 0;
+        (high, low, 0)
     };
+    let (m, shift) = normal(leading);
+    let m = m | ((next >> 1) >> (31 - shift));
     // m·(1 + x)/2, from 3/8 to 1, so one bit makes it normal again.
     let product = mul_high(m, (1 << 31) + (!high >> 1));
     let less = (product >> 31) ^ 1;
-    let e = shift.wrapping_add(less).wrapping_sub(1);
+    let e = (shift + more + less).wrapping_sub(1);
     halve(of_mantissa(product << less, e & 1) >> (e >> 1).min(31))
 }
 

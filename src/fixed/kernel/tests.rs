@@ -71,9 +71,7 @@ fn sqrt_error(x: u32) -> f64 {
 
 fn fourth_error(x: u32) -> f64 {
     let (fourth, _) = sqrt::fourth(x);
-    (f64::from(fourth) - (f64::from(x) / Q32).sqrt().sqrt() * Q31)
-        .abs()
-        .max(root_error)
+    (f64::from(fourth) - (f64::from(x) / Q32).sqrt().sqrt() * Q31).abs()
 }
 
 fn cbrt_error(x: u32) -> f64 {
