@@ -57,7 +57,7 @@ pub(crate) fn fourth(x: u32) -> (u32, u32) {
     (halve(of_mantissa(root, e & 1) >> (e >> 1)), root >> e)
 }
 
-/// √(1 − x²) in Q31, for 1 − x = v·2⁻⁶⁴: (1 − x)(1 + x) without a difference that cancels. v > 0.
+/// √(1 − x²) in Q31, for 1 − x = v·2⁻⁶⁴: (1 − x)(1 + x) without a difference that cancels.
 #[inline(always)]
 pub(crate) fn complement(v: u64) -> u32 {
     let (high, low) = ((v >> 32) as u32, v as u32);
@@ -66,6 +66,9 @@ pub(crate) fn complement(v: u64) -> u32 {
     } else {
         (high, low, 0)
     };
+    if leading == 0 {
+        return 0;
+    }
     let (m, shift) = normal(leading);
     let m = m | ((next >> 1) >> (31 - shift));
     // m·(1 + x)/2, from 3/8 to 1, so one bit makes it normal again.
