@@ -6,9 +6,11 @@
 mod reference;
 
 use coslobe::CosSin;
-use fixed::types::{I1F31, U0F32};
+use coslobe::Fixed;
+use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use rayon::prelude::*;
 use reference::{Q31, Q32, Subject, subjects};
+use std::f64::consts::TAU;
 
 /// Largest error in units of the last place, and its input.
 #[derive(Clone, Copy)]
@@ -149,4 +151,125 @@ fn laws_in_strides() {
 #[ignore = "2³² words for each of 60 operations"]
 fn laws_exhaustively() {
     hold(1);
+}
+
+fn powers() -> [f64; 10] {
+    [
+        0.0,
+        1.0 / 65536.0,
+        0.5,
+        1.0,
+        2.0,
+        3.0,
+        7.25,
+        64.0,
+        1000.0,
+        65536.0 - 1.0 / 65536.0,
+    ]
+}
+
+#[test]
+fn cos_power_in_strides() {
+    for k in powers() {
+        let law = Fixed(coslobe::fixed::CosPower::new(U16F16::from_num(k)));
+        let n = k + 1.0;
+        let pair = |lower: f64, upper: f64| {
+            let log = if upper > 0.5 {
+                (-lower).ln_1p()
+            } else {
+                upper.ln()
+            } / n;
+            let square = if upper == 0.0 {
+                1.0
+            } else {
+                -(2.0 * log).exp_m1()
+            };
+            (log.exp(), square.sqrt())
+        };
+        let ln_cos = |turn: f64| {
+            let s = (turn * TAU).sin();
+            if s < 0.7 {
+                0.5 * (-s * s).ln_1p()
+            } else {
+                (turn * TAU).cos().ln()
+            }
+        };
+        let show = |name: &str, w: Worst| println!("k = {k} {name}: {:.3} at {:#010x}", w.0, w.1);
+        let stride = 40009;
+        show(
+            "warp",
+            worst(stride, |u| {
+                let (l, p) = tails(u);
+                pair_off(law.warp(U0F32::from_bits(u)), pair(l, p))
+            }),
+        );
+        show(
+            "warp_sf",
+            worst(stride, |q| {
+                let (p, l) = tails(q);
+                pair_off(law.warp_sf(U0F32::from_bits(q)), pair(l, p))
+            }),
+        );
+        show(
+            "unit",
+            worst(stride, |u| {
+                let at = law.warp(U0F32::from_bits(u));
+                (f64::from(at.cos.to_bits()).hypot(f64::from(at.sin.to_bits())) - Q31).abs()
+            }),
+        );
+        show(
+            "quantile",
+            worst(stride, |u| {
+                let (l, p) = tails(u);
+                let (c, s) = pair(l, p);
+                turn_off(law.quantile(U0F32::from_bits(u)), s.atan2(c) / TAU)
+            }),
+        );
+        show(
+            "cdf",
+            worst(stride, |x| {
+                let t = x >> 2;
+                let turn = f64::from(t) / Q32;
+                off(
+                    law.cdf(I0F32::from_bits(t as i32)),
+                    -(n * ln_cos(turn)).exp_m1(),
+                )
+            }),
+        );
+        show(
+            "sf",
+            worst(stride, |x| {
+                let t = x >> 2;
+                let turn = f64::from(t) / Q32;
+                off(law.sf(I0F32::from_bits(t as i32)), (n * ln_cos(turn)).exp())
+            }),
+        );
+        show(
+            "pdf",
+            worst(stride, |x| {
+                let t = x >> 2;
+                let turn = f64::from(t) / Q32;
+                let want = n / TAU * (k * ln_cos(turn)).exp() * (turn * TAU).sin() * 65536.0;
+                (f64::from(law.pdf(I0F32::from_bits(t as i32)).to_bits()) - want).abs()
+            }),
+        );
+        show(
+            "density rel to max",
+            worst(stride, |x| {
+                let t = x >> 2;
+                let turn = f64::from(t) / Q32;
+                let (s, c) = (turn * TAU).sin_cos();
+                let of = |x: f64| I1F31::from_bits((x * Q31).round().min(Q31 - 1.0) as i32);
+                let want = n / TAU * (k * ln_cos(turn)).exp() * 65536.0;
+                (f64::from(
+                    law.density(CosSin {
+                        cos: of(c),
+                        sin: of(s),
+                    })
+                    .to_bits(),
+                ) - want)
+                    .abs()
+            }),
+        );
+    }
 }

@@ -3,6 +3,7 @@
 mod ball;
 mod circle_arc;
 mod circle_shell;
+mod cos_power;
 mod disk;
 mod kernel;
 mod lambert;
@@ -12,6 +13,7 @@ mod spatial;
 mod sphere_shell;
 mod words;
 
+pub use cos_power::CosPower;
 pub use law::FixedLaw;
 
 use crate::CosSin;

@@ -3,6 +3,7 @@
 pub(crate) mod angle;
 pub(crate) mod cbrt;
 pub(crate) mod kepler;
+pub(crate) mod log;
 pub(crate) mod mul;
 pub(crate) mod normal;
 pub(crate) mod poly;

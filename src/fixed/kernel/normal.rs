@@ -25,6 +25,19 @@ pub(crate) fn by_steps(mut x: u32) -> (u32, u32) {
     (x, shift)
 }
 
+/// The top 32 bits of x·2ˢ with the top bit set, and s, for x > 0; (0, 63) for 0.
+#[inline(always)]
+pub(crate) fn normal_long(x: u64) -> (u32, u32) {
+    let (high, low) = ((x >> 32) as u32, x as u32);
+    let (leading, next, more) = if high == 0 {
+        (low, 0, 32)
+    } else {
+        (high, low, 0)
+    };
+    let (m, shift) = normal(leading);
+    (m | ((next >> 1) >> (31 - shift)), shift + more)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@
 //! remainder of its square gives the other 16. Two long products, all others short.
 
 use super::mul::mul_high;
-use super::normal::normal;
+use super::normal::{normal, normal_long};
 use super::table::RECIP_SQRT;
 
 /// √(m·2⁻³²⁻ᵒᵈᵈ) in Q32, for m ≥ 2³¹ and odd 0 or 1.
@@ -60,21 +60,14 @@ pub(crate) fn fourth(x: u32) -> (u32, u32) {
 /// √(1 − x²) in Q31, for 1 − x = v·2⁻⁶⁴: (1 − x)(1 + x) without a difference that cancels.
 #[inline(always)]
 pub(crate) fn complement(v: u64) -> u32 {
-    let (high, low) = ((v >> 32) as u32, v as u32);
-    let (leading, next, more) = if high == 0 {
-        (low, 0, 32)
-    } else {
-        (high, low, 0)
-    };
-    if leading == 0 {
+    if v == 0 {
         return 0;
     }
-    let (m, shift) = normal(leading);
-    let m = m | ((next >> 1) >> (31 - shift));
+    let (m, shift) = normal_long(v);
     // m·(1 + x)/2, from 3/8 to 1, so one bit makes it normal again.
-    let product = mul_high(m, (1 << 31) + (!high >> 1));
+    let product = mul_high(m, (1 << 31) + (!((v >> 32) as u32) >> 1));
     let less = (product >> 31) ^ 1;
-    let e = (shift + more + less).wrapping_sub(1);
+    let e = (shift + less).wrapping_sub(1);
     halve(of_mantissa(product << less, e & 1) >> (e >> 1).min(31))
 }
 
