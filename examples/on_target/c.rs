@@ -88,6 +88,9 @@ const EMULATION: Emulation = Emulation {
 /// The header, the program here, the program on every board.
 pub(crate) fn run(report: &mut Report) -> Result<()> {
     header(report);
+    if cfg!(not(feature = "fixed")) {
+        report.skip("C: integers are not compared without --features fixed");
+    }
     if succeeds("cc", &["--version"]) {
         report.outcome("C on this machine", on_host("host", "", &[]));
         let bit = on_host("host", "", &["-DPLANTED_BIT"]);
@@ -226,7 +229,9 @@ fn compile(compiler: &str, platform: &str, program: &Path) -> Command {
 
 /// The program printed what Rust computes, and no panic is linked into it.
 fn judge(program: &Path, output: &str) -> Result<()> {
-    same(&c_values::expected(), output).map_err(Failure)?;
+    let compared = |line: &&str| cfg!(feature = "fixed") || !line.contains(" q31 ");
+    let output: Vec<_> = output.lines().filter(compared).collect();
+    same(&c_values::expected(), &output.join("\n")).map_err(Failure)?;
     let image = std::fs::read(program).while_("reading the program")?;
     // In the symbols of core::panicking, which every panic goes through; the handler itself is inlined.
     let name = b"9panicking";

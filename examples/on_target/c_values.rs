@@ -1,5 +1,7 @@
 //! What the C program has to print: the same calls, made in Rust.
 
+#[cfg(feature = "fixed")]
+use crate::c_integers;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial,
     SphereShell,
@@ -7,7 +9,7 @@ use coslobe::{
 use rand_pcg::Pcg32;
 
 /// As in c/main.c.
-const INPUTS: [u32; 19] = [
+pub(crate) const INPUTS: [u32; 19] = [
     0x0000_0000,
     0x8000_0000,
     0x0000_0001,
@@ -41,6 +43,8 @@ pub(crate) fn expected() -> String {
     spatial(&mut out, "lambert", Lambert, &mut rng);
     cos_power(&mut out, 7.3, &mut rng);
     cos_power(&mut out, -1.0, &mut rng);
+    #[cfg(feature = "fixed")]
+    c_integers::expected(&mut out, &mut rng);
     out + "refused as documented\n"
 }
 

@@ -7,7 +7,7 @@
 //! cargo run --release --example on_target -- hashes --full   # all of them: hours
 //! cargo run --release --example on_target -- hashes --bless  # writes the expected hashes
 //! cargo run --release --example on_target -- links           # proofs at link time
-//! cargo run --release --example on_target -- c               # the C program
+//! cargo run --release --example on_target -- c               # the C program; --features fixed: its integers too
 //! cargo run --release --example on_target -- self-test       # the power-on check, with planted faults
 //! ```
 //!
@@ -18,6 +18,8 @@ mod args;
 mod boards;
 mod build;
 mod c;
+#[cfg(feature = "fixed")]
+mod c_integers;
 mod c_values;
 mod difference;
 mod failure;

@@ -31,6 +31,8 @@
 #![doc = include_str!("../../docs/self_test.md")]
 
 mod cells;
+#[cfg(feature = "fixed")]
+mod fixed;
 mod limits;
 mod repeat;
 mod report;
@@ -38,6 +40,8 @@ mod subject;
 mod table;
 mod words;
 
+#[cfg(feature = "fixed")]
+pub use fixed::{InFixed, fixed};
 pub use limits::Alarm;
 pub use report::{Fault, Report, Score, Statistic};
 pub use subject::{InPlane, InSpace, Invalid, Place, Subject};

@@ -38,6 +38,46 @@ fn a_good_generator_passes_under_every_law_and_type() {
     every_law(Precise(7.3f64));
 }
 
+/// `Fixed`, with a good generator and with stuck, biased and short ones; its samples are in their cells.
+#[cfg(feature = "fixed")]
+#[test]
+fn integers_are_checked_by_integers() {
+    use crate::generators::{biased, period, stuck_bit};
+    use coslobe::Fixed;
+    use fixed::types::I1F31;
+    passes(check::fixed(Fixed(Disk)));
+    passes(check::fixed(Fixed(CircleShell)));
+    passes(check::fixed(Fixed(CircleArc)));
+    passes(check::fixed(Fixed(Ball)));
+    passes(check::fixed(Fixed(SphereShell)));
+    passes(check::fixed(Fixed(Lambert)));
+    let lobe = coslobe::fixed::CosPower::new(fixed::types::U16F16::from_num(7.3));
+    passes(check::fixed(Fixed(lobe)));
+    for mut bad in [stuck_bit(1, 4, true), biased(1, !0, 0.05), period(1, 300)] {
+        let mut check = check::fixed(Fixed(Lambert));
+        check.run(&mut bad, check::SAMPLES);
+        assert!(check.verdict(Alarm::OneInBillion).is_err());
+    }
+    let invalid = |sample: [f64; 3]| {
+        let mut check = check::fixed(Fixed(Lambert));
+        check.feed(&sample.map(I1F31::saturating_from_num));
+        check.verdict(Alarm::OneInBillion)
+    };
+    for (sample, why) in [
+        ([0.6, 0.81, 0.0], Invalid::Length),
+        ([-1.0, -1.0, -1.0], Invalid::Length),
+        ([-1.0, 0.0, 0.0], Invalid::Support),
+        ([0.6, -0.8, 0.0], Invalid::Support),
+    ] {
+        assert_eq!(
+            invalid(sample),
+            Err(Fault::Invalid { sample: 1, why }),
+            "{sample:?}"
+        );
+    }
+    assert_eq!(invalid([0.0, 1.0, 0.0]), Err(Fault::TooFew { samples: 1 }));
+}
+
 #[test]
 fn too_few_samples_are_no_verdict() {
     let mut check = check::spatial::<f32, _>(Lambert);

@@ -58,6 +58,14 @@ typedef struct coslobe_cos_sin_f32 {
   float sin;
 } coslobe_cos_sin_f32;
 
+/*
+ A direction by the cosine and sine of its angle from the axis, in units of 2⁻³¹: 1 is 2³¹ − 1.
+ */
+typedef struct coslobe_cos_sin_q31 {
+  int32_t cos;
+  int32_t sin;
+} coslobe_cos_sin_q31;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -271,6 +279,221 @@ float coslobe_sphere_shell_cdf_f32(float theta);
  θ in radians of `SphereShell` at cdf = `p` from 0 to 1; NaN elsewhere.
  */
 float coslobe_sphere_shell_quantile_f32(float p);
+
+/*
+ Draws a direction [sin θ cos φ, cos θ, sin θ sin φ] of `Ball`, uniform by volume in a ball; components in units of 2⁻³¹.
+
+ # Safety
+ Each pointer is null, which is answered by its status, or valid.
+ */
+coslobe_status coslobe_ball_sample_q31(const struct coslobe_rng *rng,
+                                       int32_t (*direction)[3]);
+
+/*
+ (cos θ, sin θ) of `Ball` at cdf = `u`, in units of 2⁻³².
+ */
+struct coslobe_cos_sin_q31 coslobe_ball_warp_q31(uint32_t u);
+
+/*
+ Density of `Ball` at a direction, in units of 2⁻³²: 2 cos³θ / π per steradian above the horizon, 0 elsewhere.
+ */
+uint32_t coslobe_ball_density_q31(struct coslobe_cos_sin_q31 at);
+
+/*
+ P(Θ ≤ `theta`) of `Ball` in units of 2⁻³², saturated; `theta` in units of 2⁻³² turns, from 0 to ¼ turn: 0 below
+ and 2³² − 1 above.
+ */
+uint32_t coslobe_ball_cdf_q31(int32_t theta);
+
+/*
+ θ of `Ball` at cdf = `p`·2⁻³², in units of 2⁻³² turns.
+ */
+int32_t coslobe_ball_quantile_q31(uint32_t p);
+
+/*
+ Draws a direction [sin θ, cos θ] of `CircleArc`, uniform by arc length on a circle; components in units of 2⁻³¹.
+
+ # Safety
+ Each pointer is null, which is answered by its status, or valid.
+ */
+coslobe_status coslobe_circle_arc_sample_q31(const struct coslobe_rng *rng,
+                                             int32_t (*direction)[2]);
+
+/*
+ (cos θ, sin θ) of `CircleArc` at cdf = `u`, in units of 2⁻³².
+ */
+struct coslobe_cos_sin_q31 coslobe_circle_arc_warp_q31(uint32_t u);
+
+/*
+ Density of `CircleArc` at a direction, in units of 2⁻³²: 1/π per radian above the horizon, 0 elsewhere.
+ */
+uint32_t coslobe_circle_arc_density_q31(struct coslobe_cos_sin_q31 at);
+
+/*
+ P(Θ ≤ `theta`) of `CircleArc` in units of 2⁻³², saturated; `theta` in units of 2⁻³² turns, from −¼ to ¼ turn: 0 below
+ and 2³² − 1 above.
+ */
+uint32_t coslobe_circle_arc_cdf_q31(int32_t theta);
+
+/*
+ θ of `CircleArc` at cdf = `p`·2⁻³², in units of 2⁻³² turns.
+ */
+int32_t coslobe_circle_arc_quantile_q31(uint32_t p);
+
+/*
+ Draws a direction [sin θ, cos θ] of `CircleShell`, uniform by radial shell on a circle: the flat Lambert law; components in units of 2⁻³¹.
+
+ # Safety
+ Each pointer is null, which is answered by its status, or valid.
+ */
+coslobe_status coslobe_circle_shell_sample_q31(const struct coslobe_rng *rng,
+                                               int32_t (*direction)[2]);
+
+/*
+ (cos θ, sin θ) of `CircleShell` at cdf = `u`, in units of 2⁻³².
+ */
+struct coslobe_cos_sin_q31 coslobe_circle_shell_warp_q31(uint32_t u);
+
+/*
+ Density of `CircleShell` at a direction, in units of 2⁻³²: cos θ / 2 per radian above the horizon, 0 elsewhere.
+ */
+uint32_t coslobe_circle_shell_density_q31(struct coslobe_cos_sin_q31 at);
+
+/*
+ P(Θ ≤ `theta`) of `CircleShell` in units of 2⁻³², saturated; `theta` in units of 2⁻³² turns, from −¼ to ¼ turn: 0 below
+ and 2³² − 1 above.
+ */
+uint32_t coslobe_circle_shell_cdf_q31(int32_t theta);
+
+/*
+ θ of `CircleShell` at cdf = `p`·2⁻³², in units of 2⁻³² turns.
+ */
+int32_t coslobe_circle_shell_quantile_q31(uint32_t p);
+
+/*
+ Draws a direction [sin θ cos φ, cos θ, sin θ sin φ] of the law ∝ cosᵏθ, k = `exponent`·2⁻¹⁶; components in units of 2⁻³¹.
+
+ # Safety
+ Each pointer is null, which is answered by its status, or valid.
+ */
+coslobe_status coslobe_cos_power_sample_q31(uint32_t exponent,
+                                            const struct coslobe_rng *rng,
+                                            int32_t (*direction)[3]);
+
+/*
+ (cos θ, sin θ) of the law ∝ cosᵏθ, k = `exponent`·2⁻¹⁶ at cdf = `u`, in units of 2⁻³².
+ */
+struct coslobe_cos_sin_q31 coslobe_cos_power_warp_q31(uint32_t exponent,
+                                                      uint32_t u);
+
+/*
+ Density of the law ∝ cosᵏθ, k = `exponent`·2⁻¹⁶ at a direction, in units of 2⁻¹⁶: (k+1) cosᵏθ / 2π per steradian above the horizon, 0 elsewhere.
+ */
+uint32_t coslobe_cos_power_density_q31(uint32_t exponent,
+                                       struct coslobe_cos_sin_q31 at);
+
+/*
+ P(Θ ≤ `theta`) of the law ∝ cosᵏθ, k = `exponent`·2⁻¹⁶ in units of 2⁻³², saturated; `theta` in units of 2⁻³² turns, from 0 to ¼ turn: 0 below
+ and 2³² − 1 above.
+ */
+uint32_t coslobe_cos_power_cdf_q31(uint32_t exponent,
+                                   int32_t theta);
+
+/*
+ θ of the law ∝ cosᵏθ, k = `exponent`·2⁻¹⁶ at cdf = `p`·2⁻³², in units of 2⁻³² turns.
+ */
+int32_t coslobe_cos_power_quantile_q31(uint32_t exponent,
+                                       uint32_t p);
+
+/*
+ Draws a direction [sin θ, cos θ] of `Disk`, uniform by area in a disk; components in units of 2⁻³¹.
+
+ # Safety
+ Each pointer is null, which is answered by its status, or valid.
+ */
+coslobe_status coslobe_disk_sample_q31(const struct coslobe_rng *rng,
+                                       int32_t (*direction)[2]);
+
+/*
+ (cos θ, sin θ) of `Disk` at cdf = `u`, in units of 2⁻³².
+ */
+struct coslobe_cos_sin_q31 coslobe_disk_warp_q31(uint32_t u);
+
+/*
+ Density of `Disk` at a direction, in units of 2⁻³²: 2 cos²θ / π per radian above the horizon, 0 elsewhere.
+ */
+uint32_t coslobe_disk_density_q31(struct coslobe_cos_sin_q31 at);
+
+/*
+ P(Θ ≤ `theta`) of `Disk` in units of 2⁻³², saturated; `theta` in units of 2⁻³² turns, from −¼ to ¼ turn: 0 below
+ and 2³² − 1 above.
+ */
+uint32_t coslobe_disk_cdf_q31(int32_t theta);
+
+/*
+ θ of `Disk` at cdf = `p`·2⁻³², in units of 2⁻³² turns.
+ */
+int32_t coslobe_disk_quantile_q31(uint32_t p);
+
+/*
+ Draws a direction [sin θ cos φ, cos θ, sin θ sin φ] of `Lambert`, uniform by area on a sphere; components in units of 2⁻³¹.
+
+ # Safety
+ Each pointer is null, which is answered by its status, or valid.
+ */
+coslobe_status coslobe_lambert_sample_q31(const struct coslobe_rng *rng,
+                                          int32_t (*direction)[3]);
+
+/*
+ (cos θ, sin θ) of `Lambert` at cdf = `u`, in units of 2⁻³².
+ */
+struct coslobe_cos_sin_q31 coslobe_lambert_warp_q31(uint32_t u);
+
+/*
+ Density of `Lambert` at a direction, in units of 2⁻³²: cos θ / π per steradian above the horizon, 0 elsewhere.
+ */
+uint32_t coslobe_lambert_density_q31(struct coslobe_cos_sin_q31 at);
+
+/*
+ P(Θ ≤ `theta`) of `Lambert` in units of 2⁻³², saturated; `theta` in units of 2⁻³² turns, from 0 to ¼ turn: 0 below
+ and 2³² − 1 above.
+ */
+uint32_t coslobe_lambert_cdf_q31(int32_t theta);
+
+/*
+ θ of `Lambert` at cdf = `p`·2⁻³², in units of 2⁻³² turns.
+ */
+int32_t coslobe_lambert_quantile_q31(uint32_t p);
+
+/*
+ Draws a direction [sin θ cos φ, cos θ, sin θ sin φ] of `SphereShell`, uniform by radial shell on a sphere; components in units of 2⁻³¹.
+
+ # Safety
+ Each pointer is null, which is answered by its status, or valid.
+ */
+coslobe_status coslobe_sphere_shell_sample_q31(const struct coslobe_rng *rng,
+                                               int32_t (*direction)[3]);
+
+/*
+ (cos θ, sin θ) of `SphereShell` at cdf = `u`, in units of 2⁻³².
+ */
+struct coslobe_cos_sin_q31 coslobe_sphere_shell_warp_q31(uint32_t u);
+
+/*
+ Density of `SphereShell` at a direction, in units of 2⁻³²: 3 cos²θ / 2π per steradian above the horizon, 0 elsewhere.
+ */
+uint32_t coslobe_sphere_shell_density_q31(struct coslobe_cos_sin_q31 at);
+
+/*
+ P(Θ ≤ `theta`) of `SphereShell` in units of 2⁻³², saturated; `theta` in units of 2⁻³² turns, from 0 to ¼ turn: 0 below
+ and 2³² − 1 above.
+ */
+uint32_t coslobe_sphere_shell_cdf_q31(int32_t theta);
+
+/*
+ θ of `SphereShell` at cdf = `p`·2⁻³², in units of 2⁻³² turns.
+ */
+int32_t coslobe_sphere_shell_quantile_q31(uint32_t p);
 
 #ifdef __cplusplus
 }  // extern "C"

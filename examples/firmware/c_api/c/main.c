@@ -38,6 +38,14 @@ static float of_bits(uint32_t bits)
     return word.x;
 }
 
+static void put_word(uint32_t bits)
+{
+    char text[10] = " ";
+    for (int i = 0; i < 8; i++)
+        text[1 + i] = "0123456789abcdef"[bits >> (28 - 4 * i) & 15];
+    put_text(text);
+}
+
 static void put_bits(float x)
 {
     const union word word = {.x = x};
@@ -48,12 +56,9 @@ static void put_bits(float x)
 #endif
     if ((bits & 0x7fffffff) > 0x7f800000) {
         put_text(" NaN"); /* which NaN is no matter */
-        return;
+    } else {
+        put_word(bits);
     }
-    char text[10] = " ";
-    for (int i = 0; i < 8; i++)
-        text[1 + i] = "0123456789abcdef"[bits >> (28 - 4 * i) & 15];
-    put_text(text);
 }
 
 static void put_pair(coslobe_cos_sin_f32 at)
@@ -143,6 +148,67 @@ static void cos_power(float exponent, const coslobe_rng *rng)
     }
 }
 
+struct law_q31 {
+    const char *name;
+    coslobe_status (*plane)(const coslobe_rng *, int32_t (*)[2]);
+    coslobe_status (*space)(const coslobe_rng *, int32_t (*)[3]);
+    coslobe_cos_sin_q31 (*warp)(uint32_t);
+    uint32_t (*density)(coslobe_cos_sin_q31);
+    uint32_t (*cdf)(int32_t);
+    int32_t (*quantile)(uint32_t);
+};
+
+#define PLANE_Q31(law) {#law " q31", coslobe_##law##_sample_q31, NULL, coslobe_##law##_warp_q31, \
+    coslobe_##law##_density_q31, coslobe_##law##_cdf_q31, coslobe_##law##_quantile_q31}
+#define SPACE_Q31(law) {#law " q31", NULL, coslobe_##law##_sample_q31, coslobe_##law##_warp_q31, \
+    coslobe_##law##_density_q31, coslobe_##law##_cdf_q31, coslobe_##law##_quantile_q31}
+
+static void put_direction_q31(const char *name, const int32_t *direction, int length)
+{
+    put_text(name);
+    for (int i = 0; i < length; i++)
+        put_word((uint32_t)direction[i]);
+    put_text("\n");
+}
+
+static void put_row_q31(const char *name, uint32_t x, coslobe_cos_sin_q31 at, uint32_t density,
+                        uint32_t cdf, int32_t quantile)
+{
+    const uint32_t row[] = {x, (uint32_t)at.cos, (uint32_t)at.sin, density, cdf, (uint32_t)quantile};
+    put_text(name);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++)
+        put_word(row[i]);
+    put_text("\n");
+}
+
+/* The inputs' bits as they are: of integers every pattern is a number. */
+static void in_integers(const struct law_q31 *law, const coslobe_rng *rng)
+{
+    int32_t flat[2], direction[3];
+    if (law->plane != NULL && law->plane(rng, &flat) == COSLOBE_STATUS_OK)
+        put_direction_q31(law->name, flat, 2);
+    if (law->space != NULL && law->space(rng, &direction) == COSLOBE_STATUS_OK)
+        put_direction_q31(law->name, direction, 3);
+    for (size_t i = 0; i < INPUTS_COUNT; i++) {
+        const uint32_t x = INPUTS[i];
+        const coslobe_cos_sin_q31 at = law->warp(x);
+        put_row_q31(law->name, x, at, law->density(at), law->cdf((int32_t)x), law->quantile(x));
+    }
+}
+
+static void cos_power_q31(uint32_t k, const coslobe_rng *rng)
+{
+    int32_t direction[3];
+    if (coslobe_cos_power_sample_q31(k, rng, &direction) == COSLOBE_STATUS_OK)
+        put_direction_q31("cos_power q31", direction, 3);
+    for (size_t i = 0; i < INPUTS_COUNT; i++) {
+        const uint32_t x = INPUTS[i];
+        const coslobe_cos_sin_q31 at = coslobe_cos_power_warp_q31(k, x);
+        put_row_q31("cos_power q31", x, at, coslobe_cos_power_density_q31(k, at),
+                    coslobe_cos_power_cdf_q31(k, (int32_t)x), coslobe_cos_power_quantile_q31(k, x));
+    }
+}
+
 /* Statuses; a null pointer draws no word and writes nothing. */
 static int refuses(const coslobe_rng *rng, const struct pcg *pcg)
 {
@@ -181,6 +247,13 @@ int main(void)
     }
     cos_power(of_bits(0x40e9999a), &rng); /* 7.3 */
     cos_power(-1, &rng);
+    static const struct law_q31 LAWS_Q31[] = {
+        PLANE_Q31(disk), PLANE_Q31(circle_shell), PLANE_Q31(circle_arc),
+        SPACE_Q31(ball), SPACE_Q31(sphere_shell), SPACE_Q31(lambert),
+    };
+    for (size_t i = 0; i < sizeof LAWS_Q31 / sizeof LAWS_Q31[0]; i++)
+        in_integers(&LAWS_Q31[i], &rng);
+    cos_power_q31(0x74ccd, &rng); /* 7.3 */
     const int refused = refuses(&rng, &pcg);
     put_text(refused ? "refused as documented\n" : "REFUSED OTHERWISE THAN DOCUMENTED\n");
     return refused ? 0 : 1;

@@ -6,6 +6,7 @@
 
 pub mod boundary;
 pub mod f32;
+pub mod q31;
 
 /// Panics where no one looks: the proof that no panic is linked has to find it.
 /// cbindgen:ignore
