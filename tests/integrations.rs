@@ -258,7 +258,7 @@ mod heapless {
 mod defmt {
     use coslobe::{
         Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, ExponentError, Fast, Frame, Lambert,
-        Measure, Moments, NormalError, Precise, Radius, RadiusError, SphereShell, Tails,
+        Measure, Moments, NormalError, Precise, Radius, RadiusError, SphereShell, Tails, check,
     };
 
     /// Only its type is checked: running `Format` needs a logger, which a host has not.
@@ -275,5 +275,6 @@ mod defmt {
         is_format::<(Fast<f32>, CosPower<Fast<f32>>, CosSin<Fast<f32>>)>();
         is_format::<(Precise<f64>, Tails<Precise<f32>>, Radius<Fast<f32>>)>();
         is_format::<(ExponentError, RadiusError, NormalError)>();
+        is_format::<(check::Report, check::Fault, check::Alarm, check::Place)>();
     }
 }

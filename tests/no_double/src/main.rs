@@ -65,6 +65,14 @@ fn point<T: Real>(
     law.point_density(rho, at, x) + law.ln_point_density(rho, at, x) + law.sample_point(rho, rng)[0]
 }
 
+fn checked<T: Real, S: check::Subject>(mut check: check::Check<S>, one: T, rng: &mut Words) -> T {
+    check.run(rng, check::SAMPLES);
+    match check.verdict(check::Alarm::OneInBillion) {
+        Ok(_) => one,
+        Err(_) => -one,
+    }
+}
+
 /// A number that depends on every operation.
 fn image<T: Real>(x: T, one: T, rng: &mut Words) -> T {
     let mut sum = every_operation(&Disk, x)
@@ -84,6 +92,8 @@ fn image<T: Real>(x: T, one: T, rng: &mut Words) -> T {
     if let Ok(frame) = Frame::new([x, sum, one]) {
         sum = sum + frame.to_local([one, x, sum])[0] + frame.to_world([one, x, sum])[0];
     }
+    sum = sum + checked(check::spatial::<T, _>(Lambert), one, rng);
+    sum = sum + checked(check::planar::<T, _>(Disk), one, rng);
     let around: [T; 3] = Ball.sample_around([one - one, x, one], rng);
     let flat: [T; 2] = Disk.sample(rng);
     sum = sum + around[0] + flat[0] + Lambert.unwarp_direction([x, sum, one])[1];

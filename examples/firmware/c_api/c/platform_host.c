@@ -1,0 +1,5 @@
+#include "platform.h"
+
+#include <stdio.h>
+
+void put_text(const char *text) { fputs(text, stdout); }

@@ -1,0 +1,113 @@
+//! Generators and samplers, good and faulty, and the verdict on each; the host compiles this file too, to
+//! compare verdicts.
+
+use core::convert::Infallible;
+use coslobe::check::{self, Alarm, Check, Fault, InSpace, Invalid, Place, Report, Subject};
+use coslobe::rand_core::{Rng, TryRng};
+use coslobe::{CircleArc, CircleShell, Disk, Fast, Lambert, Planar, SphereShell};
+use rand_pcg::Pcg32;
+
+/// What can be asked for.
+pub(crate) const NAMES: [&str; 13] = [
+    "good", "fast", "plane", "cost", "stuck", "ones", "bit", "biased", "period", "counter", "law",
+    "arc", "nan",
+];
+
+/// The verdict on a case; none for a name that is not in [`NAMES`].
+pub(crate) fn verdict(name: &str) -> Option<Result<Report, Fault>> {
+    let mut rng = generator(name)?;
+    let rng = &mut rng;
+    Some(match name {
+        "fast" => judge(check::spatial::<Fast<f32>, _>(SphereShell), rng),
+        "plane" => judge(check::planar::<f32, _>(Disk), rng),
+        "law" => judge(Check::new(LambertForShell), rng),
+        "arc" => {
+            let mut check = check::planar::<f32, _>(CircleShell);
+            for _ in 0..check::SAMPLES {
+                check.feed(&Planar::sample(&CircleArc, rng));
+            }
+            check.verdict(Alarm::OneInBillion)
+        }
+        "nan" => {
+            let mut check = check::spatial::<f32, _>(Lambert);
+            check.feed(&[f32::NAN, 0.8, 0.6]);
+            check.verdict(Alarm::OneInBillion)
+        }
+        _ => judge(check::spatial::<f32, _>(Lambert), rng),
+    })
+}
+
+fn judge<S: Subject>(mut check: Check<S>, rng: &mut Generator) -> Result<Report, Fault> {
+    check.run(rng, check::SAMPLES);
+    check.verdict(Alarm::OneInBillion)
+}
+
+/// The generator of a case.
+pub(crate) fn generator(name: &str) -> Option<Generator> {
+    let fault: fn(u32, u32) -> u32 = match name {
+        "stuck" => |_, _| 0,
+        "ones" => |_, _| !0,
+        "bit" => |word, _| word | 1 << 9,
+        "biased" => |word, _| biased(word),
+        "period" => |_, i| {
+            (i % 4096)
+                .wrapping_mul((i % 4096) | 1)
+                .wrapping_mul(0x9e37_79b9)
+        },
+        "counter" => |_, i| i,
+        _ if NAMES.contains(&name) => |word, _| word,
+        _ => return None,
+    };
+    let rng = Pcg32::new(2024, 1);
+    Some(Generator {
+        rng,
+        count: 0,
+        fault,
+    })
+}
+
+/// The top bit is 1 with probability 9/16.
+fn biased(word: u32) -> u32 {
+    if word & 7 == 0 { word | 1 << 31 } else { word }
+}
+
+/// PCG with a fault.
+pub(crate) struct Generator {
+    rng: Pcg32,
+    count: u32,
+    fault: fn(u32, u32) -> u32,
+}
+
+impl TryRng for Generator {
+    type Error = Infallible;
+
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        self.count += 1;
+        Ok((self.fault)(self.rng.next_u32(), self.count))
+    }
+
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        let low = u64::from(self.try_next_u32()?);
+        Ok(low | u64::from(self.try_next_u32()?) << 32)
+    }
+
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        self.rng.fill_bytes(bytes);
+        Ok(())
+    }
+}
+
+/// Draws from Lambert's law and claims a shell's.
+struct LambertForShell;
+
+impl Subject for LambertForShell {
+    type Sample = [f32; 3];
+
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [f32; 3] {
+        Lambert.sample(rng)
+    }
+
+    fn place(&self, sample: &[f32; 3]) -> Result<Place, Invalid> {
+        InSpace::new(SphereShell).place(sample)
+    }
+}

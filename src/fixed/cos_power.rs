@@ -1,0 +1,220 @@
+//! Real exponents.
+
+use super::kernel::log::{Number, below_half, beside_one, exp2, one_less_exp2};
+use super::kernel::mul::mul_high;
+use super::kernel::normal::{normal, normal_long};
+use super::kernel::recip::half_recip;
+use super::kernel::sqrt::{complement, halve, scaled};
+use super::kernel::turn::ONE;
+use super::law::{Tails, Words};
+use super::{spatial, words};
+use crate::CosSin;
+use ::fixed::types::{I1F31, U16F16};
+use rand_core::Rng;
+
+/// The law ∝ cosᵏθ of [`CosPower`](crate::CosPower), its exponent k in fixed point from 0 to 65536 − 2⁻¹⁶.
+///
+/// It holds k + 1, 1/(k + 1) and (k + 1)/2π, so that no operation divides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CosPower {
+    exponent: u32,
+    /// k + 1 = successor·2ᵉ⁻³².
+    successor: u32,
+    /// 1/(k + 1) = recip·2¹⁻ᵉ⁻³².
+    recip: u32,
+    e: i32,
+}
+
+/// 1/(2π) in Q34: its mantissa, with e = −2.
+const RECIP_TAU: Number = Number {
+    m: 2734261102,
+    e: -2,
+};
+
+impl CosPower {
+    /// The law ∝ cosᵏθ: every `k` is one.
+    #[inline]
+    pub fn new(k: U16F16) -> Self {
+        let exponent = k.to_bits();
+        // k + 1 in Q16 takes 33 bits, which are halved only if they have to be.
+        let (successor, e) = match exponent.checked_add(1 << 16) {
+            Some(sum) => {
+                let (m, shift) = normal(sum);
+                (m, 16 - shift as i32)
+            }
+            None => ((1 << 31) | (exponent.wrapping_add(1 << 16) >> 1), 17),
+        };
+        // One more step of Newton's: y + y e, e = 1 − 2 d y.
+        let y = half_recip(successor);
+        let e2 = (u64::from(successor) * u64::from(y)).wrapping_neg() << 1;
+        let error = (e2 as i64 >> 32) as i32;
+        let change = ((i64::from(y) * i64::from(error)) >> 32) as i32;
+        CosPower {
+            exponent,
+            successor,
+            recip: y.saturating_add_signed(change),
+            e,
+        }
+    }
+
+    /// The exponent k.
+    #[inline]
+    pub fn exponent(&self) -> U16F16 {
+        U16F16::from_bits(self.exponent)
+    }
+
+    /// (cos θ, sin θ) at y = −log₂ cos θ.
+    #[inline(always)]
+    fn at_log(y: Number) -> (u32, u32) {
+        let (value, whole) = exp2(y);
+        let cos = (value >> whole.min(31)).min(ONE);
+        let sin = if y.e < -1 {
+            // sin² = 1 − 2^(−2y), which keeps its digits beside the axis.
+            let (m, e) = one_less_exp2(Number { m: y.m, e: y.e + 1 });
+            halve(scaled(m, e))
+        } else {
+            complement(!(u64::from(cos) << 33))
+        };
+        (cos, sin)
+    }
+
+    /// log₂ of 1/(1 − u), over k + 1.
+    #[inline(always)]
+    fn log_cos(self, lower: u64, upper: u64) -> Number {
+        let log = if upper >> 63 == 0 {
+            let (m, e) = normal_long(upper);
+            below_half(m, e)
+        } else {
+            let (m, e) = normal_long(lower);
+            beside_one(m, e)
+        };
+        log.times(Number {
+            m: self.recip,
+            e: 1 - self.e,
+        })
+    }
+
+    /// −log₂ cos θ, from the smaller of cos θ and sin θ, neither of which is 0.
+    #[inline(always)]
+    fn log_of(at: CosSin<i32>) -> Number {
+        let (cos, sin) = ((at.cos as u32) << 1, (at.sin as u32) << 1);
+        if sin < cos {
+            let (m, shift) = normal(sin);
+            let (square, more) = normal(mul_high(m, m));
+            let log = beside_one(square, 2 * shift + more);
+            Number {
+                m: log.m,
+                e: log.e - 1,
+            }
+        } else {
+            let (m, shift) = normal(cos);
+            if shift == 0 {
+                // Just below 1/√2 .. 1: still within the other's domain.
+                let (rest, e) = normal(!cos);
+                beside_one(rest, e)
+            } else {
+                below_half(m, shift)
+            }
+        }
+    }
+
+    /// (k+1) cosᵏθ / 2π times `factor` in Q32, in Q16.
+    #[inline(always)]
+    fn lobe(self, at: CosSin<i32>, factor: u32) -> U16F16 {
+        let scale = RECIP_TAU.times(Number {
+            m: self.successor,
+            e: self.e,
+        });
+        let (value, whole) = if at.sin == 0 || self.exponent == 0 {
+            (1 << 31, 0)
+        } else {
+            let (m, shift) = normal(self.exponent);
+            exp2(Self::log_of(at).times(Number {
+                m,
+                e: 16 - shift as i32,
+            }))
+        };
+        let product = mul_high(mul_high(scale.m, factor), value);
+        // Q31 and 2^e·2^−whole, to Q16.
+        let shift = 15u32.wrapping_add(whole).wrapping_sub(scale.e as u32);
+        U16F16::from_bits(if shift < 32 { product >> shift } else { 0 })
+    }
+}
+
+impl Words for CosPower {
+    type Density = U16F16;
+    type Direction = [I1F31; 3];
+
+    #[inline]
+    fn pair(self, p: Tails) -> CosSin<i32> {
+        if p.upper == 0 {
+            return spatial::pair(0, 1 << 31);
+        }
+        if p.lower == 0 {
+            return spatial::pair(1 << 31, 0);
+        }
+        let long = |word: u32| u64::from(word) << 32;
+        let (cos, sin) = Self::at_log(self.log_cos(long(p.lower), long(p.upper)));
+        spatial::pair(cos, sin)
+    }
+
+    #[inline]
+    fn turn(self, p: Tails) -> i32 {
+        spatial::turn(self.pair(p))
+    }
+
+    #[inline]
+    fn tails(self, at: CosSin<i32>) -> Tails {
+        if at.sin < 0 {
+            return Tails::BELOW;
+        }
+        if at.cos <= 0 {
+            return Tails::ABOVE;
+        }
+        if at.sin == 0 {
+            return Tails::BELOW;
+        }
+        let (value, whole) = exp2(Self::log_of(at).times(Number {
+            m: self.successor,
+            e: self.e,
+        }));
+        Tails::from_upper(if whole == 0 {
+            (value.min(i32::MAX as u32)) << 1
+        } else {
+            value >> (whole - 1).min(31)
+        })
+    }
+
+    #[inline]
+    fn tails_at(self, turn: i32) -> Tails {
+        match spatial::at_turn(turn) {
+            Ok(at) => self.tails(at),
+            Err(outside) => outside,
+        }
+    }
+
+    #[inline]
+    fn density(self, at: CosSin<i32>) -> U16F16 {
+        if at.sin < 0 || at.cos <= 0 {
+            return U16F16::ZERO;
+        }
+        self.lobe(at, u32::MAX).max(U16F16::from_bits(1))
+    }
+
+    #[inline]
+    fn pdf(self, turn: i32) -> U16F16 {
+        match spatial::at_turn(turn) {
+            Ok(at) if at.cos > 0 => self.lobe(at, (at.sin as u32) << 1),
+            _ => U16F16::ZERO,
+        }
+    }
+
+    /// cos θ = u^(1/(k+1)) of two words: both tails down to 2⁻⁶⁴.
+    #[inline]
+    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
+        let u = words::long(rng) | 1;
+        let (cos, sin) = Self::at_log(self.log_cos(u.wrapping_neg(), u));
+        words::spatial(cos, sin, rng)
+    }
+}

@@ -1,0 +1,217 @@
+//! What the interface promises beside statistics.
+
+use crate::generators::good;
+use coslobe::check::{self, Alarm, Check, Fault, InSpace, Invalid, Place, Subject};
+use coslobe::rand_core::Rng;
+use coslobe::{
+    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Planar, Precise, Real, Spatial,
+    SphereShell,
+};
+
+fn passes<S: Subject>(mut check: Check<S>) {
+    check.run(&mut good(3), check::SAMPLES);
+    check.verdict(Alarm::OneInMillion).unwrap();
+}
+
+fn every_law<T: Real>(k: T) {
+    fn plane<T: Real>(law: impl Planar<T>) {
+        passes(check::planar::<T, _>(law));
+    }
+    fn space<T: Real>(law: impl Spatial<T>) {
+        passes(check::spatial::<T, _>(law));
+    }
+    plane::<T>(Disk);
+    plane::<T>(CircleShell);
+    plane::<T>(CircleArc);
+    space::<T>(Ball);
+    space::<T>(SphereShell);
+    space::<T>(Lambert);
+    space(CosPower::new(k).unwrap());
+}
+
+#[test]
+fn a_good_generator_passes_under_every_law_and_type() {
+    every_law(7.3f32);
+    every_law(7.3f64);
+    every_law(Fast(7.3f32));
+    every_law(Precise(7.3f32));
+    every_law(Precise(7.3f64));
+}
+
+/// `Fixed`, with a good generator and with stuck, biased and short ones; its samples are in their cells.
+#[cfg(feature = "fixed")]
+#[test]
+fn integers_are_checked_by_integers() {
+    use crate::generators::{biased, period, stuck_bit};
+    use coslobe::Fixed;
+    use fixed::types::I1F31;
+    passes(check::fixed(Fixed(Disk)));
+    passes(check::fixed(Fixed(CircleShell)));
+    passes(check::fixed(Fixed(CircleArc)));
+    passes(check::fixed(Fixed(Ball)));
+    passes(check::fixed(Fixed(SphereShell)));
+    passes(check::fixed(Fixed(Lambert)));
+    let lobe = coslobe::fixed::CosPower::new(fixed::types::U16F16::from_num(7.3));
+    passes(check::fixed(Fixed(lobe)));
+    for mut bad in [stuck_bit(1, 4, true), biased(1, !0, 0.05), period(1, 300)] {
+        let mut check = check::fixed(Fixed(Lambert));
+        check.run(&mut bad, check::SAMPLES);
+        assert!(check.verdict(Alarm::OneInBillion).is_err());
+    }
+    let invalid = |sample: [f64; 3]| {
+        let mut check = check::fixed(Fixed(Lambert));
+        check.feed(&sample.map(I1F31::saturating_from_num));
+        check.verdict(Alarm::OneInBillion)
+    };
+    for (sample, why) in [
+        ([0.6, 0.81, 0.0], Invalid::Length),
+        ([-1.0, -1.0, -1.0], Invalid::Length),
+        ([-1.0, 0.0, 0.0], Invalid::Support),
+        ([0.6, -0.8, 0.0], Invalid::Support),
+    ] {
+        assert_eq!(
+            invalid(sample),
+            Err(Fault::Invalid { sample: 1, why }),
+            "{sample:?}"
+        );
+    }
+    assert_eq!(invalid([0.0, 1.0, 0.0]), Err(Fault::TooFew { samples: 1 }));
+}
+
+#[test]
+fn too_few_samples_are_no_verdict() {
+    let mut check = check::spatial::<f32, _>(Lambert);
+    check.run(&mut good(1), check::FEWEST - 1);
+    let fault = check.verdict(Alarm::OneInMillion).unwrap_err();
+    assert_eq!(fault, Fault::TooFew { samples: 4095 });
+    assert_eq!(
+        fault.to_string(),
+        "4095 samples allow no verdict; expected at least 4096"
+    );
+    check.run(&mut good(2), 1);
+    assert!(check.verdict(Alarm::OneInMillion).is_ok());
+}
+
+/// Every number of samples finds its limits; after the last possible one nothing is counted.
+#[test]
+fn any_number_of_samples_can_be_judged() {
+    let mut check = check::spatial::<f32, _>(Lambert);
+    let mut rng = good(1);
+    check.run(&mut rng, check::FEWEST - 1);
+    for n in check::FEWEST..=u16::MAX {
+        check.run(&mut rng, 1);
+        if n % 61 == 0 || n == u16::MAX || (n & (n - 1)) == 0 {
+            let report = check.verdict(Alarm::OneInBillion).unwrap();
+            assert_eq!((report.samples, report.words), (n, 3 * u32::from(n)));
+        }
+    }
+    check.run(&mut rng, 100);
+    assert_eq!(
+        check.verdict(Alarm::OneInBillion).unwrap().samples,
+        u16::MAX
+    );
+}
+
+#[test]
+fn invalid_samples_are_named_and_the_first_is_kept() {
+    let cases: [([f32; 3], Invalid); 7] = [
+        ([f32::NAN, 0.8, 0.6], Invalid::NotFinite),
+        ([0.0, f32::INFINITY, 0.0], Invalid::NotFinite),
+        ([f32::MAX, 0.0, 0.0], Invalid::NotFinite),
+        ([0.6, 0.81, 0.0], Invalid::Length),
+        ([0.0, 0.0, 0.0], Invalid::Length),
+        ([1.0, 0.0, 0.0], Invalid::Support),
+        ([0.6, -0.8, 0.0], Invalid::Support),
+    ];
+    for (sample, why) in cases {
+        let mut check = check::spatial::<f32, _>(Lambert);
+        check.feed(&[0.6, 0.8, 0.0]);
+        check.feed(&sample);
+        check.feed(&[f32::NAN; 3]);
+        let fault = check.verdict(Alarm::OneInMillion).unwrap_err();
+        assert_eq!(fault, Fault::Invalid { sample: 2, why }, "{sample:?}");
+    }
+    // A steep lobe's density underflows long before the horizon.
+    let steep = CosPower::new(1e4f32).unwrap();
+    let place = InSpace::new(steep).place(&[1.0, 1e-3, 0.0]);
+    assert_eq!(place, Err(Invalid::Density));
+}
+
+#[test]
+fn places_are_those_of_the_law() {
+    let subject = InSpace::<f32, _>::new(Lambert);
+    // sin²θ = 0.36: the lower tail; sector 0 is the one beside +x.
+    let place = subject.place(&[0.6, 0.8, 0.0]).unwrap();
+    assert_eq!((place.upper, place.sector), (false, Some(0)));
+    assert!((f64::from(place.tail) * 0.5f64.powi(31) - 0.36).abs() < 1e-6);
+    assert!(subject.place(&[0.0, 0.6, 0.8]).unwrap().upper);
+    // 16 azimuths, 16 sectors, each octant's halves side by side.
+    let sectors: Vec<u8> = (0..16)
+        .map(|i| {
+            let phi = f32::to_radians(22.5 * i as f32 + 11.0);
+            let at = subject.place(&[0.6 * phi.cos(), 0.8, 0.6 * phi.sin()]);
+            at.unwrap().sector.unwrap()
+        })
+        .collect();
+    let mut sorted = sectors.clone();
+    sorted.sort_unstable();
+    assert_eq!(sorted, (0..16).collect::<Vec<u8>>());
+    for octant in sectors.chunks(2) {
+        assert_eq!(octant[0] >> 1, octant[1] >> 1, "{sectors:?}");
+    }
+}
+
+/// A sampler of one's own, under a law of the crate.
+#[test]
+fn own_subjects_and_a_sampler_that_stops_it_early() {
+    struct Own;
+    impl Subject for Own {
+        type Sample = u32;
+        fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> u32 {
+            rng.next_u32()
+        }
+        fn place(&self, &word: &u32) -> Result<Place, Invalid> {
+            let (tail, upper) = (word >> 1, word & 1 == 1);
+            let tail = if tail > 1 << 30 {
+                (1 << 31) - tail
+            } else {
+                tail
+            };
+            Ok(Place {
+                tail,
+                upper,
+                sector: None,
+            })
+        }
+    }
+    passes(Check::new(Own));
+    let mut check = check::spatial::<f32, _>(Lambert);
+    check.run(&mut crate::generators::period(1, 3), check::SAMPLES);
+    let fault = check.verdict(Alarm::OneInBillion).unwrap_err();
+    assert_eq!(
+        fault,
+        Fault::Repeats {
+            sample: 5,
+            period: 1
+        }
+    );
+    assert_eq!(
+        fault.to_string(),
+        "the samples up to 5 repeat those 1 before them"
+    );
+}
+
+#[test]
+fn a_fault_is_explained() {
+    let mut check = check::spatial::<f32, _>(Lambert);
+    check.run(
+        &mut crate::generators::stuck_bit(1, 9, true),
+        check::SAMPLES,
+    );
+    let text = check.verdict(Alarm::OneInBillion).unwrap_err().to_string();
+    assert!(
+        text.starts_with("too uneven, Bits: χ² = 49")
+            && text.ends_with("expected 3.3 to 114.7; most of it in cell 9"),
+        "{text}"
+    );
+}
