@@ -142,6 +142,12 @@ impl CosPower {
     }
 }
 
+/// Apart, so that its stack is free again before the logarithm takes its own.
+#[inline(never)]
+fn at_turn(turn: i32) -> Result<CosSin<i32>, Tails> {
+    spatial::at_turn(turn)
+}
+
 impl Words for CosPower {
     type Density = U16F16;
     type Direction = [I1F31; 3];
@@ -188,7 +194,7 @@ impl Words for CosPower {
 
     #[inline]
     fn tails_at(self, turn: i32) -> Tails {
-        match spatial::at_turn(turn) {
+        match at_turn(turn) {
             Ok(at) => self.tails(at),
             Err(outside) => outside,
         }
