@@ -106,6 +106,12 @@ def main():
     for name, data in STUCK.items():
         write("samples", name, [], data)
         write("points", f"stuck-{name}", [f64(1.0), 1 << 62, 3 << 61, f64(0.5)], data)
+        write("fixed", f"stuck-{name}", [], data)
+    # Corners of words: ends, middles, the quarter and eighth turns, √½, and one unit to either side.
+    for word in (0, 1 << 29, 1 << 30, 0x5A82799A, 1 << 31, 3 << 30, 0xE0000000):
+        for n in (-1, 0, 1):
+            w = (word + n) % 2**32
+            write("fixed", f"{word:08x}{n:+}", [w << 32 | w, (2**32 - 1 - w) << 32 | w, w])
     for (name, word), (_, r) in zip(radii(), itertools.cycle(probabilities())):
         write("points", name, [word, 1 << 60, 1 << 63, r], b"\xff" * 8)
     for name, (bits, sign, normal, least) in FORMATS.items():

@@ -69,6 +69,12 @@ fn densities() {
     replay("densities", checks::densities::check);
 }
 
+#[cfg(feature = "fixed")]
+#[test]
+fn fixed() {
+    replay("fixed", checks::fixed::check);
+}
+
 #[test]
 fn frames() {
     replay("frames", checks::frames::check);

@@ -5,6 +5,9 @@
 
 pub mod cos_power;
 pub mod densities;
+// The replay of the seeds has it only where the crate has.
+#[cfg(feature = "fixed")]
+pub mod fixed;
 pub mod frames;
 pub mod points;
 pub mod quantiles;

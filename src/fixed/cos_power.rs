@@ -1,6 +1,6 @@
 //! Real exponents.
 
-use super::kernel::log::{Number, below_half, beside_one, exp2, one_less_exp2};
+use super::kernel::log::{Number, Part, exp2, log2, one_less_exp2};
 use super::kernel::mul::mul_high;
 use super::kernel::normal::{normal, normal_long};
 use super::kernel::recip::half_recip;
@@ -82,13 +82,13 @@ impl CosPower {
     /// log₂ of 1/(1 − u), over k + 1.
     #[inline(always)]
     fn log_cos(self, lower: u64, upper: u64) -> Number {
-        let log = if upper >> 63 == 0 {
-            let (m, e) = normal_long(upper);
-            below_half(m, e)
+        let small = upper >> 63 == 0;
+        let (m, e) = normal_long(if small { upper } else { lower });
+        let log = log2(if small {
+            Part::Small(m, e)
         } else {
-            let (m, e) = normal_long(lower);
-            beside_one(m, e)
-        };
+            Part::LessThanOne(m, e)
+        });
         log.times(Number {
             m: self.recip,
             e: 1 - self.e,
@@ -99,23 +99,23 @@ impl CosPower {
     #[inline(always)]
     fn log_of(at: CosSin<i32>) -> Number {
         let (cos, sin) = ((at.cos as u32) << 1, (at.sin as u32) << 1);
-        if sin < cos {
+        let beside_axis = sin < cos;
+        // cos² = 1 − sin² beside the axis; from √½ down to ½ the cosine is still the greater part of 1.
+        let (m, e) = if beside_axis {
             let (m, shift) = normal(sin);
-            let (square, more) = normal(mul_high(m, m));
-            let log = beside_one(square, 2 * shift + more);
-            Number {
-                m: log.m,
-                e: log.e - 1,
-            }
+            let (m, more) = normal(mul_high(m, m));
+            (m, 2 * shift + more)
         } else {
-            let (m, shift) = normal(cos);
-            if shift == 0 {
-                // Just below 1/√2 .. 1: still within the other's domain.
-                let (rest, e) = normal(!cos);
-                beside_one(rest, e)
-            } else {
-                below_half(m, shift)
-            }
+            normal(if cos >> 31 == 0 { cos } else { !cos })
+        };
+        let log = log2(if beside_axis || cos >> 31 != 0 {
+            Part::LessThanOne(m, e)
+        } else {
+            Part::Small(m, e)
+        });
+        Number {
+            m: log.m,
+            e: log.e - i32::from(beside_axis),
         }
     }
 
@@ -140,6 +140,12 @@ impl CosPower {
         let shift = 15u32.wrapping_add(whole).wrapping_sub(scale.e as u32);
         U16F16::from_bits(if shift < 32 { product >> shift } else { 0 })
     }
+}
+
+/// Apart, so that its stack is free again before the logarithm takes its own.
+#[inline(never)]
+fn at_turn(turn: i32) -> Result<CosSin<i32>, Tails> {
+    spatial::at_turn(turn)
 }
 
 impl Words for CosPower {
@@ -188,7 +194,7 @@ impl Words for CosPower {
 
     #[inline]
     fn tails_at(self, turn: i32) -> Tails {
-        match spatial::at_turn(turn) {
+        match at_turn(turn) {
             Ok(at) => self.tails(at),
             Err(outside) => outside,
         }

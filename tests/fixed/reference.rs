@@ -1,4 +1,6 @@
 //! The laws in closed `f64` forms that share nothing with the crate.
+// Its items are those of one test file.
+#![allow(unreachable_pub)]
 
 use coslobe::fixed::FixedLaw;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};

@@ -59,6 +59,12 @@ impl Report {
         );
     }
 
+    /// As [`accepted`](Report::accepted), but for a test that does not apply to the subject.
+    pub fn without(mut self, test: &str) -> Self {
+        self.results.retain(|result| result.0 != test);
+        self
+    }
+
     /// Whether the test named rejects by itself: otherwise it would not earn its place.
     pub fn rejects(&self, test: &str) -> bool {
         let found = self.results.iter().find(|result| result.0 == test);

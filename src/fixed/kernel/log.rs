@@ -44,27 +44,39 @@ fn ratio(t: u32) -> u32 {
     (3u32 << 30).saturating_add_signed(LOG2.at(((t << 1) ^ (1 << 31)) as i32))
 }
 
-/// −log₂(1 − t) for t = m·2⁻ᵉ⁻³² ≤ ½, m ≥ 2³¹.
-#[inline(always)]
-pub(crate) fn beside_one(m: u32, e: u32) -> Number {
-    let t = if e < 32 { m >> e } else { 0 };
-    let product = mul_high(m, ratio(t));
-    let up = (product >> 31) ^ 1;
-    Number {
-        m: product << up,
-        e: 1 - e as i32 - up as i32,
-    }
+/// A number of \[0, 1\] by what it or its distance from 1 is: m·2⁻ᵉ⁻³², m ≥ 2³¹.
+#[derive(Clone, Copy)]
+pub(crate) enum Part {
+    /// 1 − m·2⁻ᵉ⁻³², from ½.
+    LessThanOne(u32, u32),
+    /// m·2⁻ᵉ⁻³², below ½: 1 ≤ e < 128.
+    Small(u32, u32),
 }
 
-/// −log₂(m·2⁻ᵉ⁻³²), m ≥ 2³¹, 1 ≤ e < 128.
+/// −log₂.
 #[inline(always)]
-pub(crate) fn below_half(m: u32, e: u32) -> Number {
-    let t = !m;
-    let fraction = mul_high(t, ratio(t)) << 1;
-    let (whole, shift) = normal(e);
-    Number {
-        m: whole | (fraction >> (32 - shift)),
-        e: 32 - shift as i32,
+pub(crate) fn log2(part: Part) -> Number {
+    // One polynomial for both, so that it is linked once.
+    let (t, factor) = match part {
+        Part::LessThanOne(m, e) => (if e < 32 { m >> e } else { 0 }, m),
+        Part::Small(m, _) => (!m, !m),
+    };
+    let product = mul_high(factor, ratio(t));
+    match part {
+        Part::LessThanOne(_, e) => {
+            let up = (product >> 31) ^ 1;
+            Number {
+                m: product << up,
+                e: 1 - e as i32 - up as i32,
+            }
+        }
+        Part::Small(_, e) => {
+            let (whole, shift) = normal(e);
+            Number {
+                m: whole | (product << 1 >> (32 - shift)),
+                e: 32 - shift as i32,
+            }
+        }
     }
 }
 

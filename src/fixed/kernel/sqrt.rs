@@ -14,12 +14,12 @@ fn of_mantissa(m: u32, odd: u32) -> u32 {
     let e = (1 << 30) - mul_high(m, (r * r) << 2) as i32; // 1 − m r² in Q30
     let r = (r << 3).wrapping_add_signed(((e >> 5) * r as i32 + (1 << 22)) >> 23); // Q17
     let r = r + (((r * ROOT_TWO_LESS_ONE + (1 << 14)) >> 15) & odd.wrapping_neg());
-    let m = m >> odd;
+    let (m, lost) = (m >> odd, (m & odd) as i32);
     let s = (mul_high(m, r << 13) + (1 << 13)) >> 14; // Q16
     // Both differences are small; s = 2¹⁶ makes its square and its shift wrap, and the sum wraps back.
     let rest = m.wrapping_sub(s.wrapping_mul(s)) as i32;
     let slope = ((r + 1) >> 1) as i32; // Q16
-    let low = ((rest & 3) * slope) >> 2;
+    let low = (((rest & 3) * 2 + lost) * slope) >> 3;
     // One less than half a unit, so that no root rounds up to 1.
     (s << 16).wrapping_add_signed(((rest >> 2) * slope + low + (1 << 14) - 1) >> 15)
 }

@@ -1,6 +1,7 @@
 //! Angles in turns to (cos, sin).
 
 use super::mul::mul_high;
+use super::poly::Polynomial;
 use super::sqrt::halve;
 use super::table::{TURN_COS, TURN_SIN};
 
@@ -12,13 +13,23 @@ pub(crate) const ONE: u32 = i32::MAX as u32;
 /// Folded at an eighth, where the two change places: both polynomials stay short.
 #[inline(always)]
 pub(crate) fn quarter(x: u32) -> (u32, u32) {
+    quarter_by(x, &TURN_COS, &TURN_SIN)
+}
+
+/// The same by any polynomials, so that a test can spoil one.
+#[inline(always)]
+pub(crate) fn quarter_by<const A: usize, const B: usize, const C: usize, const D: usize>(
+    x: u32,
+    cos: &Polynomial<u32, A, B>,
+    sin: &Polynomial<u32, C, D>,
+) -> (u32, u32) {
     let past = ((x as i32) >> 31) as u32;
     let x = (x ^ past).wrapping_sub(past);
     // An exact eighth is 2³²: taken as one unit less.
     let y = (x << 1).wrapping_sub(x >> 31);
     let square = mul_high(y, y);
-    let cos = (1 << 31) - halve(mul_high(square, TURN_COS.at(square)));
-    let sin = halve(mul_high(y, TURN_SIN.at(square)));
+    let cos = (1 << 31) - halve(mul_high(square, cos.at(square)));
+    let sin = halve(mul_high(y, sin.at(square)));
     let swap = (cos ^ sin) & past;
     (cos ^ swap, sin ^ swap)
 }
