@@ -8,7 +8,7 @@ const BOARDS: [(&str, &str, &str, &str); 4] = [
     (
         "thumbv6m-none-eabi",
         "microbit",
-        "FLASH : ORIGIN = 0x00000000, LENGTH = 256K
+        "FLASH : ORIGIN = 0x00000000, LENGTH = 1M
          RAM   : ORIGIN = 0x20000000, LENGTH = 16K",
         CORTEX_M,
     ),

@@ -14,6 +14,7 @@
 #![no_std]
 
 mod arguments;
+mod stack;
 mod ticks;
 
 pub use arguments::{Arguments, arguments};
@@ -22,6 +23,7 @@ pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 pub use semihosting::{print, println};
+pub use stack::stack;
 pub use ticks::Ticks;
 
 use core::panic::PanicInfo;
