@@ -14,10 +14,12 @@
 #![no_std]
 
 mod arguments;
+mod console;
 mod stack;
 mod ticks;
 
 pub use arguments::{Arguments, arguments};
+pub use console::Console;
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]

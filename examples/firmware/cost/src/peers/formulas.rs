@@ -134,6 +134,13 @@ impl Space {
         [sin * c, cos, sin * s]
     }
 
+    /// A direction of two words.
+    #[inline(always)]
+    pub fn draw<M: Maths>(self, mut word: impl FnMut() -> u32) -> [f32; 3] {
+        let u = uniform(word());
+        self.direction::<M>(u, uniform(word()))
+    }
+
     #[inline(always)]
     pub fn pdf<M: Maths>(self, theta: f32) -> f32 {
         let (s, c) = M::sin_cos(theta);
@@ -176,6 +183,12 @@ impl Plane {
         [sin, M::sqrt(1.0 - sin * sin)]
     }
 
+    /// A direction of one word; of two for the disk.
+    #[inline(always)]
+    pub fn draw<M: Maths>(self, mut word: impl FnMut() -> u32) -> [f32; 2] {
+        self.direction::<M>(uniform(word()), || uniform(word()))
+    }
+
     #[inline(always)]
     pub fn pdf<M: Maths>(self, theta: f32) -> f32 {
         match self {
@@ -209,6 +222,12 @@ impl Plane {
             Plane::CircleArc => Some(PI * (p - 0.5)),
         }
     }
+}
+
+/// Draws [`lambert_by_idsp`].
+#[inline(always)]
+pub fn draw_lambert_by_idsp(mut word: impl FnMut() -> u32) -> [i32; 3] {
+    lambert_by_idsp(word(), word())
 }
 
 /// A Lambert direction in integers, components in Q31: square roots of 16 bits, and `idsp`'s cosine and sine.

@@ -5,8 +5,7 @@ pub mod formulas;
 use crate::Meter;
 use crate::inputs::{angles, probabilities};
 use coslobe::rand_core::Rng;
-use formulas::{Maths, Plane, Space, lambert_by_idsp, uniform};
-use rand_pcg::Pcg32;
+use formulas::{Maths, Plane, Space, draw_lambert_by_idsp};
 
 /// A law as a type, so that a function's pointer says which one it is of.
 trait Is<Kind> {
@@ -54,10 +53,6 @@ pub fn every_law<M: Maths>(meter: &mut Meter) {
     space::<M, _>(meter, "CosPower(20)", &CosPower);
 }
 
-fn next(rng: &mut Pcg32) -> f32 {
-    uniform(rng.next_u32())
-}
-
 fn plane<M: Maths, L: Is<Plane>>(meter: &mut Meter, name: &'static str, law: &L) {
     meter.law(name);
     let (theta, p) = (angles::<f32>(true), probabilities::<f32>());
@@ -70,7 +65,7 @@ fn plane<M: Maths, L: Is<Plane>>(meter: &mut Meter, name: &'static str, law: &L)
     meter.draw(
         "sample",
         law,
-        |_, rng| L::LAW.direction::<M>(next(rng), || next(rng)),
+        |_, rng| L::LAW.draw::<M>(|| rng.next_u32()),
         |_, _| [0.0; 2],
     );
 }
@@ -90,7 +85,7 @@ fn space<M: Maths, L: Is<Space>>(meter: &mut Meter, name: &'static str, law: &L)
     meter.draw(
         "sample",
         law,
-        |_, rng| L::LAW.direction::<M>(next(rng), next(rng)),
+        |_, rng| L::LAW.draw::<M>(|| rng.next_u32()),
         |_, _| [0.0; 3],
     );
 }
@@ -101,7 +96,7 @@ pub fn idsp(meter: &mut Meter) {
     meter.draw(
         "sample",
         &(),
-        |_, rng| lambert_by_idsp(rng.next_u32(), rng.next_u32()),
+        |_, rng| draw_lambert_by_idsp(|| rng.next_u32()),
         |_, _| [0; 3],
     );
 }

@@ -1,0 +1,4 @@
+//! The number types.
+
+/// As the firmware's build scripts and the documentation name them.
+pub(crate) const TYPES: [&str; 5] = ["f32", "Fast<f32>", "f64", "Precise<f32>", "Precise<f64>"];
