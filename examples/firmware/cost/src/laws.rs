@@ -78,30 +78,27 @@ pub fn every_law<T: Number>(meter: &mut Meter) {
     spatial::<T, _>(meter, "CosPower(20)", &power);
 }
 
+// The methods themselves, not closures around them: a method that two operations share is not inlined, and a
+// closure would add its own call to the count.
+
 fn law<T: Number, L: Law<T>>(meter: &mut Meter, law: &L, planar: bool) {
     let (theta, at, p) = (
         angles::<T>(planar),
         pairs::<T>(planar),
         probabilities::<T>(),
     );
-    meter.call("pdf", law, &theta, |l, x| l.pdf(x), |_, x| x);
-    meter.call("ln_pdf", law, &theta, |l, x| l.ln_pdf(x), |_, x| x);
-    meter.call("cdf", law, &theta, |l, x| l.cdf(x), |_, x| x);
-    meter.call("sf", law, &theta, |l, x| l.sf(x), |_, x| x);
-    meter.call("density", law, &at, |l, at| l.density(at), first);
-    meter.call(
-        "lambert_weight",
-        law,
-        &at,
-        |l, at| l.lambert_weight(at),
-        first,
-    );
-    meter.call("unwarp", law, &at, |l, at| l.unwarp(at), first);
-    meter.call("unwarp_sf", law, &at, |l, at| l.unwarp_sf(at), first);
-    meter.call("warp", law, &p, |l, p| l.warp(p), both);
-    meter.call("warp_sf", law, &p, |l, p| l.warp_sf(p), both);
-    meter.call("quantile", law, &p, |l, p| l.quantile(p), |_, x| x);
-    meter.call("isf", law, &p, |l, p| l.isf(p), |_, x| x);
+    meter.call("pdf", law, &theta, L::pdf, |_, x| x);
+    meter.call("ln_pdf", law, &theta, L::ln_pdf, |_, x| x);
+    meter.call("cdf", law, &theta, L::cdf, |_, x| x);
+    meter.call("sf", law, &theta, L::sf, |_, x| x);
+    meter.call("density", law, &at, L::density, first);
+    meter.call("lambert_weight", law, &at, L::lambert_weight, first);
+    meter.call("unwarp", law, &at, L::unwarp, first);
+    meter.call("unwarp_sf", law, &at, L::unwarp_sf, first);
+    meter.call("warp", law, &p, L::warp, both);
+    meter.call("warp_sf", law, &p, L::warp_sf, both);
+    meter.call("quantile", law, &p, L::quantile, |_, x| x);
+    meter.call("isf", law, &p, L::isf, |_, x| x);
 }
 
 fn first<L, T>(_: &L, at: CosSin<T>) -> T {
@@ -115,21 +112,15 @@ fn both<L, T: Copy>(_: &L, x: T) -> CosSin<T> {
 fn planar<T: Number, L: Planar<T>>(meter: &mut Meter, name: &'static str, l: &L) {
     meter.law(name);
     law(meter, l, true);
-    meter.draw("sample", l, |l, rng| l.sample(rng), |_, _| [T::of(0.0); 2]);
+    meter.draw("sample", l, L::sample, |_, _| [T::of(0.0); 2]);
 }
 
 fn spatial<T: Number, L: Spatial<T>>(meter: &mut Meter, name: &'static str, l: &L) {
     meter.law(name);
     law(meter, l, false);
     let theta = angles::<T>(false);
-    meter.call(
-        "pdf_solid_angle",
-        l,
-        &theta,
-        |l, x| l.pdf_solid_angle(x),
-        |_, x| x,
-    );
-    meter.draw("sample", l, |l, rng| l.sample(rng), |_, _| [T::of(0.0); 3]);
+    meter.call("pdf_solid_angle", l, &theta, L::pdf_solid_angle, |_, x| x);
+    meter.draw("sample", l, L::sample, |_, _| [T::of(0.0); 3]);
     let normal = [0.48, 0.6, 0.64].map(T::of);
     meter.draw(
         "sample_around",
