@@ -10,11 +10,12 @@ use rayon::prelude::*;
 use std::path::Path;
 
 /// Binary, law and operation.
-const CELLS: [[&str; 3]; 6] = [
+const CELLS: [[&str; 3]; 7] = [
     ["f32", "Lambert", "sample"],
     ["f32", "Disk", "quantile"],
     ["fast_f32", "Ball", "sample"],
     ["fast_f32", "SphereShell", "cdf"],
+    ["fixed", "Lambert", "sample_xorshift"],
     ["libm", "Lambert", "sample"],
     ["generator", "Pcg32", "next_u64"],
 ];
@@ -92,7 +93,7 @@ fn same(expected: &Row, found: &Row, how: &str) -> std::result::Result<(), Strin
         return Ok(());
     }
     Err(format!(
-        "{}, {how}: instructions least, mean, most, flash, stack, RAM are {:?}; expected {:?}",
+        "{}, {how}: instructions least, mean, most, flash, stack, RAM, words are {:?}; expected {:?}",
         found.key().join(" "),
         found.measured(),
         expected.measured()

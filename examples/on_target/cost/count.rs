@@ -11,6 +11,8 @@ pub(crate) struct Counted {
     pub(crate) operation: String,
     /// Where the function begins.
     pub(crate) address: u64,
+    /// Words of 32 bits that it draws.
+    pub(crate) words: u64,
     /// Bytes of stack, the deepest of all inputs.
     pub(crate) stack: u64,
     /// Instructions of each input's call.
@@ -92,9 +94,9 @@ fn scale(line: &str) -> Option<Scale> {
 
 fn operation(line: &str, scale: Scale) -> Result<Counted, String> {
     let fields: Vec<&str> = line.split(' ').collect();
-    let [law, operation, address, stack, base, ticks] = fields[..] else {
+    let [law, operation, address, words, stack, base, ticks] = fields[..] else {
         return Err(format!(
-            "{line:?}; expected LAW OPERATION ADDRESS STACK,BASE BASE_TICKS TICKS,…"
+            "{line:?}; expected LAW OPERATION ADDRESS WORDS STACK,BASE BASE_TICKS TICKS,…"
         ));
     };
     let number = |text: &str| {
@@ -121,6 +123,7 @@ fn operation(line: &str, scale: Scale) -> Result<Counted, String> {
         law: law.to_owned(),
         operation: operation.to_owned(),
         address,
+        words: number(words)?,
         stack: less(number(own)?, number(empty)?, "bytes of stack")?,
         instructions,
     })
@@ -130,7 +133,7 @@ fn operation(line: &str, scale: Scale) -> Result<Counted, String> {
 mod tests {
     use super::*;
 
-    const M0: &str = "count 125 256\nBall pdf 0x1db4 220,24 82 8192,8200\ndone\n";
+    const M0: &str = "count 125 256\nBall pdf 0x1db4 2 220,24 82 8192,8200\ndone\n";
 
     #[test]
     fn ticks_become_instructions_less_those_of_an_empty_call() {
@@ -141,12 +144,15 @@ mod tests {
             (all[0].least(), all[0].mean(), all[0].most()),
             (1980, 1981.0, 1982)
         );
-        assert_eq!((all[0].address, all[0].stack), (0x1db4, 196));
+        assert_eq!(
+            (all[0].address, all[0].words, all[0].stack),
+            (0x1db4, 2, 196)
+        );
     }
 
     #[test]
     fn riscv_counts_instructions_themselves() {
-        let all = parse("count 2 256\nBall pdf 0x80000000 8,8 3076 3332\ndone\n").unwrap();
+        let all = parse("count 2 256\nBall pdf 0x80000000 0 8,8 3076 3332\ndone\n").unwrap();
         assert_eq!(all[0].instructions, [1]);
     }
 

@@ -12,6 +12,10 @@ const STACK: u64 = 160;
 pub(crate) const FIXED: &str = "Fixed";
 pub(crate) const LIBM: &str = "textbook, libm f32";
 
+/// Directions by each generator.
+pub(crate) const SAMPLES: [(&str, &str); 2] =
+    [("sample", "Pcg32"), ("sample_xorshift", "XorShiftRng")];
+
 /// A goal and how near it is.
 pub(crate) struct Goal {
     pub(crate) what: String,
@@ -44,11 +48,17 @@ impl Goal {
 pub(crate) fn all(rows: &[Row]) -> Vec<Goal> {
     let mut goals = Vec::new();
     for (board, name, (most, times)) in [("M4F", "f32", M4F), ("M0", FIXED, M0)] {
-        for law in ["Lambert", "Ball"] {
-            let own = find(rows, board, law, name);
-            let libm = find(rows, board, law, LIBM);
+        let cells = SAMPLES
+            .into_iter()
+            .flat_map(|sample| ["Lambert", "Ball"].map(|law| (sample, law)));
+        for ((operation, generator), law) in cells {
+            let find = |name| {
+                rows.iter()
+                    .find(|r| r.key() == [board, law, operation, name])
+            };
+            let (own, libm) = (find(name), find(LIBM));
             goals.push(Goal {
-                what: format!("{board}, `{name}`: a `{law}` direction, generator included"),
+                what: format!("{board}, `{name}`: a `{law}` direction, `{generator}` included"),
                 wanted: format!("at most {most} instructions"),
                 found: own.map(|r| {
                     let n = r.instructions_most;
@@ -56,7 +66,7 @@ pub(crate) fn all(rows: &[Row]) -> Vec<Goal> {
                 }),
             });
             goals.push(Goal {
-                what: format!("{board}, `{name}`: a `{law}` direction against `libm`'s in `f32`"),
+                what: format!("{board}, `{name}`: a `{law}` direction against `libm`'s in `f32`, `{generator}` included"),
                 wanted: format!("at least {times} times fewer instructions"),
                 found: own.zip(libm).map(|(own, libm)| {
                     let ratio = libm.instructions_mean / own.instructions_mean;
@@ -87,9 +97,4 @@ pub(crate) fn all(rows: &[Row]) -> Vec<Goal> {
         }
     }
     goals
-}
-
-fn find<'a>(rows: &'a [Row], board: &str, law: &str, name: &str) -> Option<&'a Row> {
-    let key = [board, law, "sample", name];
-    rows.iter().find(|r| r.key() == key)
 }

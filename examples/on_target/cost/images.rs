@@ -45,9 +45,10 @@ const fn peer(
 }
 
 /// All of them: a new number type is a line here and a binary.
-pub(crate) const SUBJECTS: [Subject; 9] = [
+pub(crate) const SUBJECTS: [Subject; 10] = [
     ours("f32", "f32", "f32"),
     ours("fast_f32", "Fast<f32>", "f32"),
+    ours("fixed", "Fixed", "i32"),
     ours("f64", "f64", "f64"),
     ours("precise_f32", "Precise<f32>", "f32"),
     ours("precise_f64", "Precise<f64>", "f64"),

@@ -1,6 +1,6 @@
 //! The readable tables.
 
-use super::goals::Goal;
+use super::goals::{Goal, SAMPLES};
 use super::images::SUBJECTS;
 use super::measure::Measured;
 use super::row::Row;
@@ -22,13 +22,16 @@ pub(crate) fn markdown(
             "\n## {}: `{}`, QEMU's `{}`\n",
             board.name, board.target, board.machine
         )?;
-        writeln!(
-            out,
-            "Mean instructions of a direction (`sample`), the generator's included:\n"
-        )?;
-        by_law(&mut out, rows, |law, name| {
-            direction(rows, board.name, law, name).map(mean)
-        })?;
+        for (operation, generator) in SAMPLES {
+            writeln!(
+                out,
+                "\nMean instructions of a direction, `{generator}`'s included:\n"
+            )?;
+            by_law(&mut out, rows, |law, name| {
+                let key = [board.name, law, operation, name];
+                rows.iter().find(|r| r.key() == key).map(mean)
+            })?;
+        }
         writeln!(
             out,
             "\nBytes of flash that a direction links, the generator's included:\n"
@@ -72,28 +75,33 @@ fn head(out: &mut String, rows: &[Row], rustc: &str) -> Result {
          \x20 compiler included, as `--gc-sections` keeps them; vectors and start-up not.\n\
          * *Stack*: by painting it; the deepest of all inputs, the function's own frame included.\n\
          * *Static RAM* is 0 in every row of ours, and no panic can be reached: the run fails otherwise.\n\
-         * Samplers draw from `rand_pcg::Pcg32`, whose own cost is in the table below and in every `sample`."
+         * Samplers draw from `rand_pcg::Pcg32`, as in the accuracy study, and (`sample_xorshift`) from\n\
+         \x20 `rand_xorshift::XorShiftRng`, which needs no 64-bit product: no generator for an M0 has one. A generator's own cost is\n\
+         \x20 in the table below and in every direction. *Words* are of 32 bits, and the same for every draw."
     )?;
     writeln!(
         out,
         "* `textbook`: the polar form and the laws' formulas in `libm`'s or `micromath`'s functions, uniforms on the grid of\n\
          \x20 2⁻²⁴; `idsp and integer roots`: `idsp::cossin` and 16-bit square roots. SKIPPED: CMSIS-DSP: Debian has no package\n\
          \x20 of it.\n\n\
-         | generator's call | {} |\n|---|{}",
+         | generator | call | {} |\n|---|---|{}",
         BOARDS.map(|b| b.name).join(" | "),
         "---|".repeat(BOARDS.len())
     )?;
-    for call in ["next_u32", "next_u64"] {
+    let of_generators = rows.iter().filter(|r| r.operation.starts_with("next_u"));
+    for first in of_generators.filter(|r| r.board == BOARDS[0].name) {
         let cells = BOARDS.iter().map(|board| {
-            let mut own = rows
-                .iter()
-                .filter(|r| r.board == board.name && r.operation == call);
-            own.next().map_or("–".to_owned(), mean)
+            let key = [board.name, &first.law, &first.operation, &first.name];
+            let own = rows.iter().find(|r| r.key() == key);
+            own.map_or("–".to_owned(), mean)
         });
+        let cells: Vec<String> = cells.collect();
         writeln!(
             out,
-            "| {call} | {} |",
-            cells.collect::<Vec<_>>().join(" | ")
+            "| {} | {} | {} |",
+            first.law,
+            first.operation,
+            cells.join(" | ")
         )?;
     }
     Ok(())
@@ -174,28 +182,28 @@ fn operations(out: &mut String, rows: &[Row], board: &str, law: &str) -> Result 
     writeln!(
         out,
         "\n<details><summary>{law}: every operation</summary>\n\n\
-         | operation | by | instructions: least | mean | most | flash | stack | words | error: ulp | relative |\n\
-         |---|---|---|---|---|---|---|---|---|---|"
+         | operation | by | instructions: least | mean | most | flash | stack | words | error: ulp | relative | absolute |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|"
     )?;
     let or_dash = |value: Option<String>| value.unwrap_or("–".to_owned());
     for call in calls {
         for row in own.iter().filter(|r| r.operation == call) {
-            let words = row.next_u32.zip(row.next_u64);
             writeln!(
                 out,
-                "| {call} | {} | {} | {:.0} | {} | {} | {} | {} | {} | {} |",
+                "| {call} | {} | {} | {:.0} | {} | {} | {} | {} | {} | {} | {} |",
                 row.name.replace('<', "\\<"),
                 row.instructions_least,
                 row.instructions_mean,
                 row.instructions_most,
                 row.flash_bytes,
                 row.stack_bytes,
-                or_dash(words.map(|(a, b)| format!("{a} + {b}"))),
+                row.words,
                 or_dash(row.max_ulp.map(|e| format!("{e:.2}"))),
                 or_dash(row.max_relative.map(|e| match e {
                     e if e >= 1.0 => "≥ 1".to_owned(),
                     e => format!("{e:.1e}"),
                 })),
+                or_dash(row.max_absolute.map(|e| format!("{e:.1e}"))),
             )?;
         }
     }

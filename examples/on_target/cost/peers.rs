@@ -1,8 +1,6 @@
-//! Errors and words of the peers, by the code that the boards count.
+//! Errors of the peers, by the code that the boards count.
 
-use super::formulas::{
-    EXPONENT, Libm, Maths, Micromath, Plane, Space, draw_lambert_by_idsp, lambert_by_idsp,
-};
+use super::formulas::{EXPONENT, Libm, Maths, Micromath, Plane, Space};
 use crate::accuracy::reference::{self, Direction, Id};
 use crate::errors::{Errors, of_angle, of_map, of_quantile};
 use crate::inputs::{Uniforms, angles};
@@ -15,28 +13,9 @@ pub(crate) fn error(binary: &str, law: &str, operation: &str) -> Option<f64> {
     let errors = match binary {
         "libm" => of::<Libm>(law, operation),
         "micromath" => of::<Micromath>(law, operation),
-        "idsp" => Some(idsp()),
         _ => None,
     };
     errors.map(|e| e.worst())
-}
-
-/// Calls of `next_u32` that a peer's direction takes.
-pub(crate) fn words(binary: &str, law: &str, operation: &str) -> Option<u64> {
-    if operation != "sample" {
-        return None;
-    }
-    let mut words = 0;
-    let word = || {
-        words += 1;
-        1 << 31
-    };
-    match (kind(law)?, binary) {
-        (_, "idsp") => _ = draw_lambert_by_idsp(word),
-        (Kind::Space(law, _), _) => _ = law.draw::<Libm>(word),
-        (Kind::Plane(law, _), _) => _ = law.draw::<Libm>(word),
-    }
-    Some(words)
 }
 
 enum Kind {
@@ -105,14 +84,6 @@ fn cdf(id: Id, f: impl Fn(f32) -> f32) -> Errors {
     })
 }
 
-/// Down to the last word: its uniform is u.
-fn idsp() -> Errors {
-    of_map::<f64, 3>(Id::Lambert, true, Uniforms::Down(31), PER_OCTAVE, |u| {
-        let word = (u * 2f64.powi(32)) as u32;
-        lambert_by_idsp(word, 0x4CCC_CCCD).map(f64::from)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,11 +94,6 @@ mod tests {
         assert!(sample("libm", "Lambert") < 1e-6);
         let micromath = sample("micromath", "Lambert");
         assert!((1e-3..1.0).contains(&micromath), "{micromath}");
-        // A root of 16 bits of the least words has one digit.
-        assert!(sample("idsp", "Lambert") > 0.1);
         assert_eq!(error("libm", "Disk", "sample"), None);
-        assert_eq!(words("libm", "Disk", "sample"), Some(2));
-        assert_eq!(words("libm", "CircleArc", "sample"), Some(1));
-        assert_eq!(words("idsp", "Lambert", "sample"), Some(2));
     }
 }

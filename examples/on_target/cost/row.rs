@@ -3,8 +3,8 @@
 use super::count::Counted;
 use super::flash::Linked;
 use super::images::Subject;
-use super::peers;
 use super::study::Study;
+use super::{integers, peers};
 use crate::boards::Board;
 use crate::failure::{Failure, Result, While};
 use serde::{Deserialize, Serialize};
@@ -27,10 +27,12 @@ pub(crate) struct Row {
     pub(crate) flash_bytes: u64,
     pub(crate) stack_bytes: u64,
     pub(crate) ram_bytes: u64,
-    pub(crate) next_u32: Option<f64>,
-    pub(crate) next_u64: Option<f64>,
+    /// Words of 32 bits that it draws.
+    pub(crate) words: u64,
     pub(crate) max_ulp: Option<f64>,
     pub(crate) max_relative: Option<f64>,
+    /// Of directions in integers, whose unit is absolute.
+    pub(crate) max_absolute: Option<f64>,
     /// The compiler, without which no figure holds.
     pub(crate) rustc: String,
 }
@@ -44,15 +46,17 @@ impl Row {
         study: &Study,
         rustc: &str,
     ) -> Row {
-        let known = study.find(&counted.law, &counted.operation, subject.name);
         let (law, operation) = (counted.law.as_str(), counted.operation.as_str());
-        let (words, error) = if subject.ours {
-            (known.words, known.max_relative)
+        // Whichever generator draws, the direction is the same function of its words.
+        let known_as = match operation {
+            "sample_xorshift" => "sample",
+            _ => operation,
+        };
+        let known = study.find(law, known_as, subject.name);
+        let max_relative = if subject.ours {
+            known.max_relative
         } else {
-            (
-                peers::words(subject.binary, law, operation).map(|n| [n as f64, 0.0]),
-                peers::error(subject.binary, law, operation),
-            )
+            peers::error(subject.binary, law, known_as)
         };
         Row {
             board: board.name.to_owned(),
@@ -68,10 +72,10 @@ impl Row {
             flash_bytes: linked.flash,
             stack_bytes: counted.stack,
             ram_bytes: linked.ram,
-            next_u32: words.map(|w| w[0]),
-            next_u64: words.map(|w| w[1]),
+            words: counted.words,
             max_ulp: known.max_ulp,
-            max_relative: error,
+            max_relative,
+            max_absolute: integers::error(subject.binary, law, known_as),
             rustc: rustc.to_owned(),
         }
     }
@@ -81,7 +85,7 @@ impl Row {
     }
 
     /// What has to repeat itself with the same compiler.
-    pub(crate) fn measured(&self) -> [f64; 6] {
+    pub(crate) fn measured(&self) -> [f64; 7] {
         [
             self.instructions_least as f64,
             self.instructions_mean,
@@ -89,6 +93,7 @@ impl Row {
             self.flash_bytes as f64,
             self.stack_bytes as f64,
             self.ram_bytes as f64,
+            self.words as f64,
         ]
     }
 }

@@ -10,8 +10,6 @@ use std::path::Path;
 pub(crate) struct Known {
     pub(crate) max_ulp: Option<f64>,
     pub(crate) max_relative: Option<f64>,
-    /// Calls of `next_u32` and `next_u64`.
-    pub(crate) words: Option<[f64; 2]>,
 }
 
 #[derive(Deserialize)]
@@ -21,8 +19,6 @@ struct Line {
     name: String,
     max_ulp: Option<f64>,
     max_relative: Option<f64>,
-    next_u32: Option<f64>,
-    next_u64: Option<f64>,
 }
 
 /// `docs/accuracy_cost.csv`.
@@ -50,7 +46,6 @@ impl Study {
                 .or_default();
             known.max_ulp = worse(known.max_ulp, line.max_ulp);
             known.max_relative = worse(known.max_relative, line.max_relative);
-            known.words = line.next_u32.zip(line.next_u64).map(|(a, b)| [a, b]);
         }
         if all.is_empty() {
             return Err("no rows; expected those of `--example accuracy_cost`".to_owned());
@@ -80,7 +75,7 @@ mod tests {
         let study = Study::parse(&text).unwrap();
         let warp = study.find("Ball", "warp", "f32");
         assert_eq!((warp.max_ulp, warp.max_relative), (Some(2.5), Some(2e-7)));
-        assert_eq!(study.find("Ball", "sample", "f32").words, Some([1.0, 1.0]));
+        assert_eq!(study.find("Ball", "sample", "f32").max_ulp, None);
         let peer = study.find("Ball", "sample", "powf, libm f32");
         assert_eq!(peer.max_relative, Some(f64::INFINITY));
         assert_eq!(study.find("Ball", "warp", "f64"), Known::default());

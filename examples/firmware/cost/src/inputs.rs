@@ -7,10 +7,10 @@ use coslobe::CosSin;
 pub(crate) const COUNT: usize = 16;
 
 /// Distances of an angle from the nearer end, 0 or π/2.
-const FROM_END: [f64; COUNT / 2] = [0.0, 1e-30, 1e-8, 1e-4, 0.02, 0.2, 0.5, 0.77];
+pub(crate) const FROM_END: [f64; COUNT / 2] = [0.0, 1e-30, 1e-8, 1e-4, 0.02, 0.2, 0.5, 0.77];
 
 /// Nearer tails, from numbers that are subnormal in `f32`.
-const TAILS: [f64; COUNT / 2] = [0.0, 1e-40, 1e-20, 1e-7, 1e-3, 0.1, 0.3, 0.499];
+pub(crate) const TAILS: [f64; COUNT / 2] = [0.0, 1e-40, 1e-20, 1e-7, 1e-3, 0.1, 0.3, 0.499];
 
 /// From the axis and from the horizon; of both signs in the plane.
 pub(crate) fn angles<T: Number>(planar: bool) -> [T; COUNT] {

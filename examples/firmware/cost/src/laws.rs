@@ -6,6 +6,8 @@ use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Precise,
     Real, Spatial, SphereShell,
 };
+use rand_pcg::Pcg32;
+use rand_xorshift::XorShiftRng;
 
 /// Exponent of the power law that is counted: that of `examples/accuracy_cost`.
 const EXPONENT: f64 = 20.0;
@@ -112,7 +114,8 @@ fn both<L, T: Copy>(_: &L, x: T) -> CosSin<T> {
 fn planar<T: Number, L: Planar<T>>(meter: &mut Meter, name: &'static str, l: &L) {
     meter.law(name);
     law(meter, l, true);
-    meter.draw("sample", l, L::sample, |_, _| [T::of(0.0); 2]);
+    meter.draw::<Pcg32, _, _>(l, L::sample, |_, _| [T::of(0.0); 2]);
+    meter.draw::<XorShiftRng, _, _>(l, L::sample, |_, _| [T::of(0.0); 2]);
 }
 
 fn spatial<T: Number, L: Spatial<T>>(meter: &mut Meter, name: &'static str, l: &L) {
@@ -120,9 +123,10 @@ fn spatial<T: Number, L: Spatial<T>>(meter: &mut Meter, name: &'static str, l: &
     law(meter, l, false);
     let theta = angles::<T>(false);
     meter.call("pdf_solid_angle", l, &theta, L::pdf_solid_angle, |_, x| x);
-    meter.draw("sample", l, L::sample, |_, _| [T::of(0.0); 3]);
+    meter.draw::<Pcg32, _, _>(l, L::sample, |_, _| [T::of(0.0); 3]);
+    meter.draw::<XorShiftRng, _, _>(l, L::sample, |_, _| [T::of(0.0); 3]);
     let normal = [0.48, 0.6, 0.64].map(T::of);
-    meter.draw(
+    meter.draw_as::<Pcg32, _, _>(
         "sample_around",
         &(l, normal),
         |&(l, normal), rng| l.sample_around(normal, rng),

@@ -1,14 +1,11 @@
 //! Counts the instructions of calls through a pointer.
 
+use crate::generator::Generator;
 use board::{Ticks, arguments, print, println, stack};
 use core::hint::black_box;
-use rand_pcg::Pcg32;
 
 /// Calls that are counted together: with them, half a tick is an eighth of an instruction.
 const REPEATS: u32 = 256;
-
-/// Draws that a sampler is counted over, each alone.
-const DRAWS: usize = 24;
 
 /// What to count, and the counter.
 pub struct Meter<'a> {
@@ -33,6 +30,14 @@ pub fn run(operations: impl FnOnce(&mut Meter)) -> ! {
     board::exit(true)
 }
 
+/// What a line says besides the counts.
+struct Operation<'a> {
+    name: &'a str,
+    address: usize,
+    /// Words of 32 bits that it draws.
+    words: u32,
+}
+
 impl Meter<'_> {
     /// What follows is of this law.
     pub fn law(&mut self, name: &'static str) {
@@ -49,27 +54,48 @@ impl Meter<'_> {
         nothing: fn(&L, A) -> B,
     ) {
         let both = [f, nothing];
-        self.measure(operation, f as usize, both, inputs, |f, x| {
+        let operation = Operation {
+            name: operation,
+            address: f as usize,
+            words: 0,
+        };
+        self.measure(operation, both, inputs, |f, x| {
             black_box(black_box(f)(black_box(law), black_box(*x)));
         });
     }
 
-    /// A sampler, drawing from the same states of the generator as every other.
-    pub fn draw<L, B>(
+    /// A sampler, drawing from the same states of a generator as every other.
+    pub fn draw<R: Generator, L, B>(
+        &mut self,
+        law: &L,
+        f: fn(&L, &mut R) -> B,
+        nothing: fn(&L, &mut R) -> B,
+    ) {
+        self.draw_as(R::OPERATION, law, f, nothing);
+    }
+
+    /// As [`draw`](Meter::draw), an operation of another name.
+    pub fn draw_as<R: Generator, L, B>(
         &mut self,
         operation: &str,
         law: &L,
-        f: fn(&L, &mut Pcg32) -> B,
-        nothing: fn(&L, &mut Pcg32) -> B,
+        f: fn(&L, &mut R) -> B,
+        nothing: fn(&L, &mut R) -> B,
     ) {
-        let mut rng = Pcg32::new(0x853C_49E6_748F_EA9B, 0xDA3E_39CB_94B9_5BDB);
-        let states: [Pcg32; DRAWS] = core::array::from_fn(|_| {
-            let state = rng.clone();
-            rng.advance(3);
-            state
-        });
+        let states = R::states();
+        let words = |state: &R| {
+            let mut rng = state.clone();
+            f(law, &mut rng);
+            R::words(state, &rng)
+        };
+        let words = states.iter().map(words).max().unwrap_or(0);
         let both = [f, nothing];
-        self.measure(operation, f as usize, both, &states, |f, state| {
+        let subject = Operation {
+            name: operation,
+            address: f as usize,
+            words,
+        };
+        self.measure(subject, both, &states, |f, state| {
             let mut rng = state.clone();
             black_box(black_box(f)(black_box(law), black_box(&mut rng)));
         });
@@ -79,21 +105,21 @@ impl Meter<'_> {
     #[inline(always)]
     fn measure<F: Copy, A>(
         &mut self,
-        operation: &str,
-        address: usize,
+        operation: Operation,
         [f, nothing]: [F; 2],
         inputs: &[A],
         once: impl Fn(F, &A) + Copy,
     ) {
         let skipped = |only: Option<&str>, name| only.is_some_and(|o| o != name);
-        if skipped(self.only[0], self.law) || skipped(self.only[1], operation) {
+        if skipped(self.only[0], self.law) || skipped(self.only[1], operation.name) {
             return;
         }
         let depth = |f| inputs.iter().map(|x| stack(&mut || once(f, x))).max();
         let (own, base) = (depth(f).unwrap_or(0), depth(nothing).unwrap_or(0));
         // Arm marks Thumb code by an odd address.
-        let address = address & !1;
-        print!("{} {operation} {address:#x} {own},{base}", self.law);
+        let address = operation.address & !1;
+        print!("{} {} {address:#x}", self.law, operation.name);
+        print!(" {} {own},{base}", operation.words);
         print!(" {}", self.repeat(nothing, &inputs[0], once));
         for (i, x) in inputs.iter().enumerate() {
             let separator = if i == 0 { ' ' } else { ',' };

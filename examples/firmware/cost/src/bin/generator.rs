@@ -1,8 +1,8 @@
-//! The generator alone.
+//! The generators alone.
 #![no_std]
 #![no_main]
 
 #[board::entry]
 fn main() -> ! {
-    cost::run(cost::peers::generator)
+    cost::run(cost::peers::generators)
 }

@@ -74,11 +74,6 @@ impl Maths for Micromath {
     }
 }
 
-/// A uniform number on the usual grid of 2⁻²⁴.
-pub fn uniform(word: u32) -> f32 {
-    (word >> 8) as f32 * (1.0 / (1 << 24) as f32)
-}
-
 /// A law of space, k its exponent.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Space {
@@ -134,13 +129,6 @@ impl Space {
         [sin * c, cos, sin * s]
     }
 
-    /// A direction of two words.
-    #[inline(always)]
-    pub fn draw<M: Maths>(self, mut word: impl FnMut() -> u32) -> [f32; 3] {
-        let u = uniform(word());
-        self.direction::<M>(u, uniform(word()))
-    }
-
     #[inline(always)]
     pub fn pdf<M: Maths>(self, theta: f32) -> f32 {
         let (s, c) = M::sin_cos(theta);
@@ -183,12 +171,6 @@ impl Plane {
         [sin, M::sqrt(1.0 - sin * sin)]
     }
 
-    /// A direction of one word; of two for the disk.
-    #[inline(always)]
-    pub fn draw<M: Maths>(self, mut word: impl FnMut() -> u32) -> [f32; 2] {
-        self.direction::<M>(uniform(word()), || uniform(word()))
-    }
-
     #[inline(always)]
     pub fn pdf<M: Maths>(self, theta: f32) -> f32 {
         match self {
@@ -222,12 +204,6 @@ impl Plane {
             Plane::CircleArc => Some(PI * (p - 0.5)),
         }
     }
-}
-
-/// Draws [`lambert_by_idsp`].
-#[inline(always)]
-pub fn draw_lambert_by_idsp(mut word: impl FnMut() -> u32) -> [i32; 3] {
-    lambert_by_idsp(word(), word())
 }
 
 /// A Lambert direction in integers, components in Q31: square roots of 16 bits, and `idsp`'s cosine and sine.

@@ -3,9 +3,12 @@
 pub mod formulas;
 
 use crate::Meter;
+use crate::generator::Generator;
 use crate::inputs::{angles, probabilities};
 use coslobe::rand_core::Rng;
-use formulas::{Maths, Plane, Space, draw_lambert_by_idsp};
+use formulas::{Maths, Plane, Space, lambert_by_idsp};
+use rand_pcg::Pcg32;
+use rand_xorshift::XorShiftRng;
 
 /// A law as a type, so that a function's pointer says which one it is of.
 trait Is<Kind> {
@@ -53,6 +56,20 @@ pub fn every_law<M: Maths>(meter: &mut Meter) {
     space::<M, _>(meter, "CosPower(20)", &CosPower);
 }
 
+/// A uniform number on the usual grid of 2⁻²⁴.
+#[inline(always)]
+fn uniform(rng: &mut impl Rng) -> f32 {
+    (rng.next_u32() >> 8) as f32 * (1.0 / (1 << 24) as f32)
+}
+
+fn in_plane<M: Maths, L: Is<Plane>, R: Rng>(_: &L, rng: &mut R) -> [f32; 2] {
+    L::LAW.direction::<M>(uniform(rng), || uniform(rng))
+}
+
+fn in_space<M: Maths, L: Is<Space>, R: Rng>(_: &L, rng: &mut R) -> [f32; 3] {
+    L::LAW.direction::<M>(uniform(rng), uniform(rng))
+}
+
 fn plane<M: Maths, L: Is<Plane>>(meter: &mut Meter, name: &'static str, law: &L) {
     meter.law(name);
     let (theta, p) = (angles::<f32>(true), probabilities::<f32>());
@@ -62,12 +79,8 @@ fn plane<M: Maths, L: Is<Plane>>(meter: &mut Meter, name: &'static str, law: &L)
         let quantile = |_: &L, p| L::LAW.quantile::<M>(p).unwrap_or(p);
         meter.call("quantile", law, &p, quantile, |_, x| x);
     }
-    meter.draw(
-        "sample",
-        law,
-        |_, rng| L::LAW.draw::<M>(|| rng.next_u32()),
-        |_, _| [0.0; 2],
-    );
+    meter.draw::<Pcg32, _, _>(law, in_plane::<M, L, _>, |_, _| [0.0; 2]);
+    meter.draw::<XorShiftRng, _, _>(law, in_plane::<M, L, _>, |_, _| [0.0; 2]);
 }
 
 fn space<M: Maths, L: Is<Space>>(meter: &mut Meter, name: &'static str, law: &L) {
@@ -82,28 +95,31 @@ fn space<M: Maths, L: Is<Space>>(meter: &mut Meter, name: &'static str, law: &L)
         |_, p| L::LAW.quantile::<M>(p),
         |_, x| x,
     );
-    meter.draw(
-        "sample",
-        law,
-        |_, rng| L::LAW.draw::<M>(|| rng.next_u32()),
-        |_, _| [0.0; 3],
-    );
+    meter.draw::<Pcg32, _, _>(law, in_space::<M, L, _>, |_, _| [0.0; 3]);
+    meter.draw::<XorShiftRng, _, _>(law, in_space::<M, L, _>, |_, _| [0.0; 3]);
 }
 
 /// Lambert's law in integers.
 pub fn idsp(meter: &mut Meter) {
     meter.law("Lambert");
-    meter.draw(
-        "sample",
-        &(),
-        |_, rng| draw_lambert_by_idsp(|| rng.next_u32()),
-        |_, _| [0; 3],
-    );
+    integers::<Pcg32>(meter);
+    integers::<XorShiftRng>(meter);
+}
+
+fn integers<R: Generator>(meter: &mut Meter) {
+    let f = |_: &(), rng: &mut R| lambert_by_idsp(rng.next_u32(), rng.next_u32());
+    meter.draw(&(), f, |_, _| [0; 3]);
 }
 
 /// What each sampler's cost has in it.
-pub fn generator(meter: &mut Meter) {
+pub fn generators(meter: &mut Meter) {
     meter.law("Pcg32");
-    meter.draw("next_u32", &(), |_, rng| rng.next_u32(), |_, _| 0);
-    meter.draw("next_u64", &(), |_, rng| rng.next_u64(), |_, _| 0);
+    words::<Pcg32>(meter);
+    meter.law("XorShiftRng");
+    words::<XorShiftRng>(meter);
+}
+
+fn words<R: Generator>(meter: &mut Meter) {
+    meter.draw_as("next_u32", &(), |_, rng: &mut R| rng.next_u32(), |_, _| 0);
+    meter.draw_as("next_u64", &(), |_, rng: &mut R| rng.next_u64(), |_, _| 0);
 }
