@@ -11,6 +11,7 @@ type Place = (usize, usize);
 
 /// A section with what it refers to.
 struct Section {
+    name: String,
     kind: SectionKind,
     size: u64,
     align: u64,
@@ -103,6 +104,7 @@ impl Objects {
             self.sections.insert(
                 (here, section.index().0),
                 Section {
+                    name: section.name().unwrap_or_default().to_owned(),
                     kind: section.kind(),
                     size: section.size(),
                     align: section.align().max(1),
@@ -114,6 +116,12 @@ impl Objects {
 
     pub(crate) fn has(&self, function: &str) -> bool {
         self.functions.contains_key(function)
+    }
+
+    /// The section that a function is in, which by the compiler's default it has to itself.
+    pub(crate) fn section(&self, function: &str) -> Option<&str> {
+        let place = self.functions.get(function)?;
+        Some(&self.sections.get(place)?.name)
     }
 
     /// What is linked for functions of these names together.
@@ -180,3 +188,6 @@ pub(crate) fn names_at(elf: &[u8], address: u64) -> Result<Vec<String>, String> 
         .filter_map(|s| s.name().ok().map(str::to_owned))
         .collect())
 }
+
+#[cfg(test)]
+mod tests;

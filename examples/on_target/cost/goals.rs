@@ -98,3 +98,62 @@ pub(crate) fn all(rows: &[Row]) -> Vec<Goal> {
     }
     goals
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(name: &str, instructions: u64, flash_bytes: u64) -> Row {
+        Row {
+            board: "M4F".to_owned(),
+            target: String::new(),
+            law: "Lambert".to_owned(),
+            operation: "sample".to_owned(),
+            name: name.to_owned(),
+            ours: true,
+            format: "f32".to_owned(),
+            instructions_least: instructions,
+            instructions_mean: instructions as f64,
+            instructions_most: instructions,
+            flash_bytes,
+            stack_bytes: 160,
+            ram_bytes: 0,
+            words: 3,
+            max_ulp: None,
+            max_relative: None,
+            max_absolute: None,
+            rustc: String::new(),
+        }
+    }
+
+    fn verdicts(ours: u64, libm: u64, flash: u64) -> [&'static str; 4] {
+        let goals = all(&[row("f32", ours, flash), row(LIBM, libm, flash)]);
+        let of = |what: &str| {
+            let goal = goals.iter().find(|g| g.what.contains(what));
+            goal.unwrap().verdict()
+        };
+        [
+            of("M4F, `f32`: a `Lambert` direction, `Pcg32`"),
+            of("M4F, `f32`: a `Lambert` direction against"),
+            of("M4F, `f32`: flash"),
+            of("M4F, `f32`: a `Ball` direction, `Pcg32`"),
+        ]
+    }
+
+    #[test]
+    fn a_goal_is_reached_at_its_limit_and_missed_beyond() {
+        let absent = "not measured";
+        assert_eq!(
+            verdicts(300, 2400, 2048),
+            ["reached", "reached", "reached", absent]
+        );
+        assert_eq!(
+            verdicts(301, 2400, 2048),
+            ["missed", "missed", "reached", absent]
+        );
+        assert_eq!(
+            verdicts(300, 2399, 2049),
+            ["reached", "missed", "missed", absent]
+        );
+    }
+}

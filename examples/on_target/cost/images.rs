@@ -122,7 +122,7 @@ pub(crate) fn compiler() -> Result<String> {
     rustc(&["-V"])
 }
 
-fn rustc(arguments: &[&str]) -> Result<String> {
+pub(crate) fn rustc(arguments: &[&str]) -> Result<String> {
     // In the workspace, where the toolchain is the one that builds the images.
     let out = Command::new("rustc")
         .args(arguments)

@@ -20,6 +20,9 @@ pub(crate) struct Measured {
     pub(crate) rows: Vec<Row>,
     /// Board, law, type, bytes.
     pub(crate) whole_laws: Vec<(String, String, String, u64)>,
+    pub(crate) image: Image,
+    /// The section of each row's function.
+    pub(crate) sections: Vec<String>,
 }
 
 /// Room for an image of all operations, which no M0 has: the emulator gives what it is told to.
@@ -54,7 +57,7 @@ pub(crate) fn subject(
     for object in &image.objects {
         objects.add(&read(object)?).map_err(|e| of(&what, e))?;
     }
-    let mut rows = Vec::new();
+    let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let mut functions: Vec<(&Counted, String)> = Vec::new();
     for operation in &counted {
         let what = format!("{what}: {} {}", operation.law, operation.operation);
@@ -64,6 +67,7 @@ pub(crate) fn subject(
         let linked = objects.linked(&[name]).map_err(|e| of(&what, e))?;
         sound(subject, &linked).map_err(|e| of(&what, e))?;
         rows.push(Row::new(board, subject, operation, &linked, study, rustc));
+        sections.push(objects.section(name).unwrap_or_default().to_owned());
         functions.push((operation, name.clone()));
     }
     let mut whole_laws = Vec::new();
@@ -76,7 +80,12 @@ pub(crate) fn subject(
         let [board, name] = [board.name, subject.name].map(str::to_owned);
         whole_laws.push((board, law.to_owned(), name, linked.flash));
     }
-    Ok(Measured { rows, whole_laws })
+    Ok(Measured {
+        rows,
+        whole_laws,
+        image,
+        sections,
+    })
 }
 
 fn of(what: &str, e: String) -> Failure {

@@ -10,6 +10,7 @@ mod formulas;
 mod goals;
 mod images;
 mod integers;
+mod linker;
 mod measure;
 mod page;
 mod peers;

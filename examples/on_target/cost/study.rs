@@ -89,6 +89,6 @@ mod tests {
         let gone = format!("{}Ball,pdf,1,1,,\n", HEAD.replace("name,", ""));
         assert!(fault(&gone).contains("name"));
         let none = format!("{HEAD}Ball,pdf,f32,many,,,\n");
-        assert!(fault(&none).contains("max_ulp"));
+        assert!(fault(&none).contains("line: 2"));
     }
 }
