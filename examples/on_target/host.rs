@@ -1,13 +1,14 @@
 //! What this machine computes.
 
 use crate::failure::{Failure, Result, While};
+use crate::types::FIXED;
 use coslobe::{Fast, Precise};
-use coslobe_work::{Answer, Number, Subject, Visitor, answer, directions, each};
+use coslobe_work::{Answer, Integers, Laws, Subject, Visitor, answer, directions};
 
 /// Something that can be done in a number type.
 pub(crate) trait InType {
     type Output;
-    fn run<T: Number>(self) -> Self::Output;
+    fn run<T: Laws>(self) -> Self::Output;
 }
 
 /// Does it in the type of this name.
@@ -18,6 +19,7 @@ pub(crate) fn in_type<F: InType>(name: &str, f: F) -> Result<F::Output> {
         "Fast<f32>" => Ok(f.run::<Fast<f32>>()),
         "Precise<f32>" => Ok(f.run::<Precise<f32>>()),
         "Precise<f64>" => Ok(f.run::<Precise<f64>>()),
+        FIXED => Ok(f.run::<Integers>()),
         _ => Err(Failure(format!("no number type {name}"))),
     }
 }
@@ -27,7 +29,7 @@ pub(crate) fn hashes(number: &str, request: &[&str]) -> Result<String> {
     struct Request<'a>(&'a [&'a str]);
     impl InType for Request<'_> {
         type Output = Result<String>;
-        fn run<T: Number>(self) -> Result<String> {
+        fn run<T: Laws>(self) -> Result<String> {
             let mut lines = String::new();
             let words = self.0.iter().copied();
             match answer::<T>(words, &mut lines).while_("writing to a string")? {
@@ -54,8 +56,8 @@ pub(crate) fn law(law: &str, number: &str) -> Result<String> {
     }
     impl InType for One<'_> {
         type Output = String;
-        fn run<T: Number>(mut self) -> String {
-            each::<T>(&mut self);
+        fn run<T: Laws>(mut self) -> String {
+            T::each(&mut self);
             self.lines
         }
     }

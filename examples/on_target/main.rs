@@ -7,7 +7,7 @@
 //! cargo run --release --example on_target -- hashes --full   # all of them: hours
 //! cargo run --release --example on_target -- hashes --bless  # writes the expected hashes
 //! cargo run --release --example on_target -- links           # proofs at link time
-//! cargo run --release --features fixed --example on_target -- cost  # instructions, flash, stack: docs/firmware_cost.*
+//! cargo run --release --example on_target -- cost            # instructions, flash, stack: docs/firmware_cost.*
 //! cargo run --release --example on_target -- cost --check    # a few of them twice, against the table
 //! ```
 //!
@@ -36,7 +36,6 @@ mod difference;
 mod errors;
 mod failure;
 #[allow(dead_code, unreachable_pub)] // shared with the tests of fixed point
-#[cfg(feature = "fixed")]
 #[path = "../../tests/fixed/reference.rs"]
 mod fixed_reference;
 mod hashes;

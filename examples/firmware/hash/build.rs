@@ -6,6 +6,11 @@ fn main() {
     println!("cargo::rerun-if-env-changed=COSLOBE_TYPE");
     println!("cargo::rustc-link-arg=-Tboard.x");
     let number = env::var("COSLOBE_TYPE").unwrap_or("f32".to_owned());
+    let number = if number == "Fixed" {
+        "coslobe_work::Integers"
+    } else {
+        &number
+    };
     let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     fs::write(
         Path::new(&out).join("number.rs"),

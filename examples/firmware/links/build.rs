@@ -1,4 +1,4 @@
-//! What the image calls is said by `COSLOBE_CALLS`, an expression of type f32 in x, an f32, and rng: see
+//! What the image calls is said by `COSLOBE_CALLS`, an expression of type u32 in x, a u32, and rng: see
 //! `src/operations.rs` for what it may call. Nothing but that is in the image.
 
 use std::{env, fs, path::Path};
@@ -14,7 +14,7 @@ fn main() {
             "#[allow(unused_imports)] // which ones, the calls decide\n\
              use {{crate::operations::*, coslobe::*}};\n\
              #[allow(unused_variables)]\n\
-             pub(crate) fn calls(x: f32, rng: &mut Words) -> f32 {{\n    {calls}\n}}\n"
+             pub(crate) fn calls(x: u32, rng: &mut Words) -> u32 {{\n    {calls}\n}}\n"
         ),
     )
     .expect("OUT_DIR is writable");

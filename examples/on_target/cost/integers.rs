@@ -1,9 +1,9 @@
 //! Absolute errors of directions in integers: their unit does not shrink with the component.
 
 use super::formulas::lambert_by_idsp;
-
-const Q31: f64 = (1u32 << 31) as f64;
-const Q32: f64 = 2.0 * Q31;
+use crate::fixed_reference::{Q31, Q32, subjects};
+use coslobe::CosSin;
+use fixed::types::I1F31;
 
 /// Words in each octave from either end.
 const PER_OCTAVE: u32 = 256;
@@ -32,13 +32,10 @@ fn words() -> impl Iterator<Item = u32> {
 }
 
 /// Of both entries, of which a sample's error is that of the law's nearer one.
-#[cfg(feature = "fixed")]
 fn ours(law: &str) -> Option<f64> {
-    use crate::fixed_reference::subjects;
     let law = subjects().into_iter().find(|s| s.name == law)?;
-    let off = |got: coslobe::CosSin<fixed::types::I1F31>, (cos, sin): (f64, f64)| {
-        let of =
-            |got: fixed::types::I1F31, want: f64| (f64::from(got.to_bits()) / Q31 - want).abs();
+    let off = |got: CosSin<I1F31>, (cos, sin): (f64, f64)| {
+        let of = |got: I1F31, want: f64| (f64::from(got.to_bits()) / Q31 - want).abs();
         of(got.cos, cos).max(of(got.sin, sin))
     };
     let each = words().map(|w| {
@@ -46,11 +43,6 @@ fn ours(law: &str) -> Option<f64> {
         off((law.warp)(w), law.pair(p, rest)).max(off((law.warp_sf)(w), law.pair(rest, p)))
     });
     Some(each.fold(0.0, f64::max))
-}
-
-#[cfg(not(feature = "fixed"))]
-fn ours(_: &str) -> Option<f64> {
-    None // the whole study refuses to run without the feature
 }
 
 /// At a fixed azimuth of 0.3 turns; a word w is the uniform (w + ½)·2⁻³².
@@ -73,10 +65,8 @@ mod tests {
 
     #[test]
     fn integers_err_by_units() {
-        if cfg!(feature = "fixed") {
-            let ours = error("fixed", "Lambert", "sample").unwrap();
-            assert!(ours > 0.0 && ours <= 4.0 / Q31, "{ours:e}");
-        }
+        let ours = error("fixed", "Lambert", "sample").unwrap();
+        assert!(ours > 0.0 && ours <= 4.0 / Q31, "{ours:e}");
         let idsp = error("idsp", "Lambert", "sample").unwrap();
         assert!((1e-6..1e-4).contains(&idsp), "{idsp:e}");
         assert_eq!(error("f32", "Lambert", "sample"), None);

@@ -39,11 +39,6 @@ pub(crate) fn run(options: &Cost, report: &mut Report) -> Result<()> {
     if options.check {
         return check::run(&options.out, report);
     }
-    if !cfg!(feature = "fixed") {
-        return Err(Failure(
-            "costs: the errors of `Fixed` are measured here; run with --features fixed".to_owned(),
-        ));
-    }
     output::check(&options.out).map_err(Failure)?;
     let study = Study::read(&options.out.join("accuracy_cost.csv"))?;
     let rustc = compiler()?;

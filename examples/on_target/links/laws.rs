@@ -5,28 +5,28 @@ use super::sources::bytes_by_file;
 use super::{Shown, caught, ensure};
 use crate::boards::Board;
 use crate::failure::Result;
-use crate::types::TYPES;
+use crate::types::{FIXED, TYPES, laws};
 use coslobe_work::LAWS;
 use indicatif::ProgressBar;
 
-/// The types to look at: all where there is an FPU, the first elsewhere.
+/// The types to look at: all where there is an FPU, elsewhere those that firmware takes first.
 fn types(board: &Board) -> &'static [&'static str] {
     if board.name == "M4F" {
         &TYPES
     } else {
-        &TYPES[..1]
+        &["f32", FIXED]
     }
 }
 
 /// Images that [`show`] builds.
 pub(super) fn images(board: &Board) -> u64 {
-    (types(board).len() * LAWS.len() + 1) as u64
+    (types(board).iter().map(|n| laws(n).len()).sum::<usize>() + 1) as u64
 }
 
 pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
     let mut shown = Vec::new();
     for number in types(board) {
-        let outcome = LAWS.iter().try_for_each(|law| {
+        let outcome = laws(number).iter().try_for_each(|law| {
             let outcome = look(board, law, number, None);
             bar.inc(1);
             outcome
@@ -46,7 +46,8 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
 fn look(board: &Board, law: &str, number: &str, planted: Option<&str>) -> Result<()> {
     let (path, image) = build(board, &calls(law, number), planted)?;
     let files = bytes_by_file(&path, &image)?;
-    let own = format!("law/{}.rs", file(law));
+    let folder = if number == FIXED { "fixed" } else { "law" };
+    let own = format!("{folder}/{}.rs", file(law));
     ensure(files.contains_key(&own), || {
         format!("{law} in {number}: no code of {own}")
     })?;
@@ -58,15 +59,15 @@ fn look(board: &Board, law: &str, number: &str, planted: Option<&str>) -> Result
     ensure(foreign.is_empty(), || {
         format!("{law} in {number}: {}", foreign.join(", "))
     })?;
-    let (mut needed, has) = (needs(law).iter(), |stem: &str| {
+    let (mut needed, has) = (needs(law, number).iter(), |stem: &str| {
         files.keys().any(|f| is(f, stem))
     });
     ensure(
-        needs(law).is_empty() || needed.any(|stem| has(stem)),
+        needs(law, number).is_empty() || needed.any(|stem| has(stem)),
         || {
             format!(
                 "{law} in {number}: no code from any of {:?}, so others' absence says nothing",
-                needs(law)
+                needs(law, number)
             )
         },
     )
@@ -75,6 +76,7 @@ fn look(board: &Board, law: &str, number: &str, planted: Option<&str>) -> Result
 /// What the image calls: see `examples/firmware/links/src/operations.rs`.
 fn calls(law: &str, number: &str) -> String {
     match law {
+        _ if number == FIXED => format!("fixed_sampler({law}, rng)"),
         "Disk" | "CircleShell" | "CircleArc" => format!("planar_sampler::<{number}>({law}, rng)"),
         "CosPower" => format!("power_sampler::<{number}>(x, rng)"),
         _ => format!("spatial_sampler::<{number}>({law}, rng)"),
@@ -104,11 +106,12 @@ const KERNELS: [(&str, &[&str]); 7] = [
     ("moment", &[]),
 ];
 
-/// One of these is in the sampler of the law, in every number type.
-fn needs(law: &str) -> &'static [&'static str] {
+/// One of these is in the sampler of the law.
+fn needs(law: &str, number: &str) -> &'static [&'static str] {
     match law {
         "Disk" => &["kepler", "disk"],
-        "SphereShell" => &["cbrt", "root"],
+        // In fixed point it is the largest of three words.
+        "SphereShell" if number != FIXED => &["cbrt", "root"],
         "CosPower" => &["power", "log_exp"],
         _ => &[],
     }
@@ -116,12 +119,15 @@ fn needs(law: &str) -> &'static [&'static str] {
 
 /// Whether a file below `src/` is a kernel of that name.
 fn is(file: &str, stem: &str) -> bool {
-    file.starts_with("kernel/") && file.ends_with(&format!("/{stem}.rs"))
+    file.contains("kernel/") && file.ends_with(&format!("/{stem}.rs"))
 }
 
 /// Whether a sampler of the law may hold code of a file that is not the law's own.
 fn may_hold(law: &str, file: &str) -> bool {
-    let other_law = file.starts_with("law/") && !["law/mod.rs", "law/formulas.rs"].contains(&file);
+    let other_law = LAWS.iter().any(|law| {
+        let name = self::file(law);
+        file == format!("law/{name}.rs") || file == format!("fixed/{name}.rs")
+    });
     let other_stage = ["frame.rs", "point.rs", "weight.rs", "moments.rs"].contains(&file);
     let other_kernel = KERNELS
         .iter()

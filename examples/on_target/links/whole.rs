@@ -1,4 +1,5 @@
-//! Images of every operation: no panic, no allocation, no static RAM, no soft double.
+//! Images of every operation: no panic, no allocation, no static RAM, no soft double; no float at all
+//! in fixed point.
 
 use super::elf::Image;
 use super::image::build;
@@ -8,15 +9,18 @@ use crate::failure::Result;
 use indicatif::ProgressBar;
 
 /// Images that [`show`] builds.
-pub(super) const IMAGES: u64 = 6;
+pub(super) const IMAGES: u64 = 8;
 
 /// Every operation in the types that compute in `f32` alone.
 const SINGLE: &str = "everything::<f32>(x, rng) + everything::<Fast<f32>>(x, rng)";
 /// Every operation in the types that compute in `f64`.
 const DOUBLE: &str = "everything::<f64>(x, rng) + everything::<Precise<f32>>(x, rng) \
                       + everything::<Precise<f64>>(x, rng)";
+/// Every operation in fixed point.
+const FIXED: &str = "fixed_everything(x, rng)";
 /// What is planted, beside little else.
 const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";
+const LITTLE_FIXED: &str = "fixed_sampler(Lambert, rng)";
 
 pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
     let built = |calls: &str, planted: Option<&str>| {
@@ -24,8 +28,18 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
         bar.inc(1);
         image
     };
+    let float = if board.name == "M4F" {
+        "FPU instructions"
+    } else {
+        "soft float"
+    };
     let planted = |feature: &str, check: fn(&Image) -> Result<()>, reason: &str| {
-        let outcome = built(LITTLE, Some(feature)).and_then(|image| check(&image));
+        let beside = if feature == "plant-float" {
+            LITTLE_FIXED
+        } else {
+            LITTLE
+        };
+        let outcome = built(beside, Some(feature)).and_then(|image| check(&image));
         (format!("{feature} is caught"), caught(outcome, reason))
     };
     vec![
@@ -34,8 +48,7 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
             built(SINGLE, None).and_then(|image| {
                 complete(&image)?;
                 no_ram(&image)?;
-                no_double(&image)?;
-                float_is_seen(board, &image)
+                no_double(&image)
             }),
         ),
         (
@@ -44,6 +57,14 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
                 complete(&image)?;
                 no_ram(&image)?;
                 caught(no_double(&image), "soft double")
+            }),
+        ),
+        (
+            "Fixed: no panic, allocation or static RAM, and no float at all".to_owned(),
+            built(FIXED, None).and_then(|image| {
+                complete(&image)?;
+                no_ram(&image)?;
+                no_float(&image)
             }),
         ),
         planted(
@@ -58,6 +79,7 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
         ),
         planted("plant-ram", no_ram, "static RAM"),
         planted("plant-double", no_double, "soft double"),
+        planted("plant-float", no_float, float),
     ]
 }
 
@@ -97,17 +119,4 @@ fn no_float(image: &Image) -> Result<()> {
             found[0]
         )
     })
-}
-
-/// An image that does compute with floats fails the proof that there are none: by instructions where
-/// there is an FPU, by routines elsewhere.
-fn float_is_seen(board: &Board, image: &Image) -> Result<()> {
-    if board.name == "M4F" {
-        let number = thumb::fpu_instructions(image).len();
-        ensure(number > 100, || {
-            format!("only {number} FPU instructions are seen")
-        })
-    } else {
-        caught(no_float(image), "soft float")
-    }
 }

@@ -14,10 +14,10 @@ mod calls {
 
 use operations::Words;
 
-/// The image's entry.
+/// The image's entry. Words in and out: a float would be moved by the FPU.
 // SAFETY: no other symbol of this name is linked.
 #[unsafe(no_mangle)]
-pub extern "C" fn _start(x: f32, seed: u32) -> f32 {
+pub extern "C" fn _start(x: u32, seed: u32) -> u32 {
     let mut rng = Words(seed);
     planted::planted(calls::calls(x, &mut rng), seed)
 }

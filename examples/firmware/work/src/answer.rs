@@ -1,8 +1,8 @@
 //! A line of words in, lines of text out.
 
-use crate::laws::{Visitor, each};
+use crate::laws::{Laws, Visitor};
 use crate::stream::Walk;
-use crate::{CHECKPOINTS, Hash, Number, Sink, Stream, Subject};
+use crate::{CHECKPOINTS, Hash, Sink, Stream, Subject};
 use core::fmt::{self, Write};
 
 /// How a request ended.
@@ -30,7 +30,7 @@ enum Task {
 ///
 /// # Errors
 /// If `out` cannot be written to.
-pub fn answer<'a, T: Number>(
+pub fn answer<'a, T: Laws>(
     mut words: impl Iterator<Item = &'a str>,
     out: &mut impl Write,
 ) -> Result<Answer, fmt::Error> {
@@ -47,7 +47,7 @@ pub fn answer<'a, T: Number>(
         out,
         failed: Ok(()),
     };
-    each::<T>(&mut visitor);
+    T::each(&mut visitor);
     visitor.failed.map(|()| Answer::Done)
 }
 

@@ -20,13 +20,14 @@ pub(crate) struct Input<T> {
 pub(crate) fn input<T: Number>(index: u32) -> Input<T> {
     let (a, b) = (mix(index, 0), mix(index, 1));
     let y = T::of(share(b));
-    let x = match index % 4 {
+    let kind = index % 4;
+    let x = match kind {
         0 => T::of_bits(a),
         1 => T::of(share(a)),
         2 => T::of(3.4 * share(a) - 1.7),
         _ => beside(a),
     };
-    let hostile = index % 4 == 0;
+    let hostile = kind == 0;
     Input {
         x,
         y: if hostile { T::of_bits(b) } else { y },
@@ -52,7 +53,7 @@ fn share(word: u64) -> f64 {
 }
 
 /// SplitMix64 at a counter.
-fn mix(index: u32, stream: u32) -> u64 {
+pub(crate) fn mix(index: u32, stream: u32) -> u64 {
     let mut z = (u64::from(index) << 1 | u64::from(stream))
         .wrapping_add(1)
         .wrapping_mul(0x9E37_79B9_7F4A_7C15);

@@ -3,7 +3,7 @@
 use crate::{Number, Subject, planar, spatial};
 use coslobe::{Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, SphereShell};
 
-/// All laws, in the order of [`each`].
+/// All laws, in the order of [`Laws::each`]; fixed point has all but the last.
 pub const LAWS: [&str; 7] = [
     Disk::NAME,
     CircleShell::NAME,
@@ -57,15 +57,22 @@ pub trait Visitor {
     fn visit<S: Subject>(&mut self, subject: &S);
 }
 
-/// Shows every law in `T`; `CosPower` with [`EXPONENT`].
-pub fn each<T: Number>(visitor: &mut impl Visitor) {
-    visitor.visit(&planar::<_, T>(Disk));
-    visitor.visit(&planar::<_, T>(CircleShell));
-    visitor.visit(&planar::<_, T>(CircleArc));
-    visitor.visit(&spatial::<_, T>(Ball));
-    visitor.visit(&spatial::<_, T>(SphereShell));
-    visitor.visit(&spatial::<_, T>(Lambert));
-    if let Ok(law) = CosPower::new(T::of(EXPONENT)) {
-        visitor.visit(&spatial::<_, T>(law));
+/// A number type, by the laws in it.
+pub trait Laws {
+    /// Shows every law; `CosPower` with [`EXPONENT`].
+    fn each(visitor: &mut impl Visitor);
+}
+
+impl<T: Number> Laws for T {
+    fn each(visitor: &mut impl Visitor) {
+        visitor.visit(&planar::<_, T>(Disk));
+        visitor.visit(&planar::<_, T>(CircleShell));
+        visitor.visit(&planar::<_, T>(CircleArc));
+        visitor.visit(&spatial::<_, T>(Ball));
+        visitor.visit(&spatial::<_, T>(SphereShell));
+        visitor.visit(&spatial::<_, T>(Lambert));
+        if let Ok(law) = CosPower::new(T::of(EXPONENT)) {
+            visitor.visit(&spatial::<_, T>(law));
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! `COSLOBE_LAST` at compile time says up to which count.
 
 use coslobe::{Fast, Precise};
-use coslobe_work::{Answer, Number, Stream, answer};
+use coslobe_work::{Answer, Integers, Laws, Stream, answer};
 
 const EXPECTED: &str = include_str!("../../hashes.txt");
 
@@ -12,7 +12,7 @@ fn last() -> u32 {
     option_env!("COSLOBE_LAST").map_or(64, |last| last.parse().expect("COSLOBE_LAST is a count"))
 }
 
-fn hashes_in<T: Number>() {
+fn hashes_in<T: Laws>() {
     for stream in Stream::ALL {
         let mut found = String::new();
         let last = last().to_string();
@@ -52,6 +52,11 @@ fn precise_f32_hashes() {
 #[test]
 fn precise_f64_hashes() {
     hashes_in::<Precise<f64>>();
+}
+
+#[test]
+fn fixed_hashes() {
+    hashes_in::<Integers>();
 }
 
 /// One changed result changes the hash, wherever it is; so do two changed signs.
