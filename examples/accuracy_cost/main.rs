@@ -34,6 +34,7 @@ mod machine;
 #[path = "../atlas/output.rs"]
 mod output;
 mod page;
+mod panel;
 mod pareto;
 mod peers;
 mod row;

@@ -1,6 +1,7 @@
 //! What the command line may say.
 
 use clap::{Parser, Subcommand};
+use std::path::PathBuf;
 
 /// Runs the firmware on emulated boards and compares it with this machine.
 #[derive(Debug, Parser)]
@@ -22,6 +23,8 @@ pub(crate) enum Task {
     C,
     /// Runs the power-on check on every board: with a good generator, and with planted faults.
     SelfTest,
+    /// Counts instructions, flash, stack and words of every operation on every board; writes the tables and the plot.
+    Cost(Cost),
 }
 
 #[derive(Debug, clap::Args)]
@@ -49,4 +52,15 @@ pub(crate) struct Hashes {
     /// Changes the last bit of one result in the images; has to fail and name it.
     #[arg(long)]
     pub(crate) planted: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct Cost {
+    /// Folder for the tables and the plot; `accuracy_cost.csv` in it has the errors.
+    #[arg(long, default_value = "docs")]
+    pub(crate) out: PathBuf,
+
+    /// Writes nothing: some cells twice, expected to be equal and as the folder's table has them.
+    #[arg(long)]
+    pub(crate) check: bool,
 }

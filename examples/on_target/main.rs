@@ -9,23 +9,53 @@
 //! cargo run --release --example on_target -- links           # proofs at link time
 //! cargo run --release --example on_target -- c               # the C program; --features fixed: its integers too
 //! cargo run --release --example on_target -- self-test       # the power-on check, with planted faults
+//! cargo run --release --example on_target -- cost            # instructions, flash, stack: docs/firmware_cost.*
+//! cargo run --release --example on_target -- cost --check    # a few of them twice, against the table
 //! ```
 //!
 //! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is
 //! printed as `SKIPPED: reason`, with the number of such lines at the end.
 
+#[allow(dead_code)] // shared with the tests
+#[path = "../../tests/accuracy/mod.rs"]
+mod accuracy;
 mod args;
+#[allow(dead_code)] // shared with the atlas
+#[path = "../atlas/axis.rs"]
+mod axis;
 mod boards;
 mod build;
 mod c;
 #[cfg(feature = "fixed")]
 mod c_integers;
 mod c_values;
+#[allow(dead_code)] // shared with the atlas
+#[path = "../atlas/canvas.rs"]
+mod canvas;
+#[allow(dead_code)] // shared with the accuracy study, as the next four
+#[path = "../accuracy_cost/cell.rs"]
+mod cell;
+mod cost;
 mod difference;
+#[allow(dead_code)]
+#[path = "../accuracy_cost/errors.rs"]
+mod errors;
 mod failure;
+#[allow(dead_code, unreachable_pub)] // shared with the tests of fixed point
+#[path = "../../tests/fixed/reference.rs"]
+mod fixed_reference;
 mod hashes;
 mod host;
+#[allow(dead_code)]
+#[path = "../accuracy_cost/inputs.rs"]
+mod inputs;
+#[path = "../accuracy_cost/label.rs"]
+mod label;
 mod links;
+#[path = "../atlas/output.rs"]
+mod output;
+#[path = "../accuracy_cost/panel.rs"]
+mod panel;
 mod qemu;
 mod report;
 mod run;
@@ -45,6 +75,7 @@ fn main() -> ExitCode {
         Task::Links => links::run(&mut report),
         Task::C => c::run(&mut report),
         Task::SelfTest => self_test::run(&mut report),
+        Task::Cost(options) => cost::run(&options, &mut report),
     };
     report.finish(done)
 }

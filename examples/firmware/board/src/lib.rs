@@ -15,6 +15,7 @@
 
 mod arguments;
 mod console;
+mod stack;
 mod ticks;
 
 pub use arguments::{Arguments, arguments};
@@ -24,6 +25,7 @@ pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 pub use semihosting::{print, println};
+pub use stack::stack;
 pub use ticks::Ticks;
 
 use core::panic::PanicInfo;

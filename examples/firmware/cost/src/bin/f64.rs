@@ -1,0 +1,8 @@
+//! `f64`.
+#![no_std]
+#![no_main]
+
+#[board::entry]
+fn main() -> ! {
+    cost::run(cost::every_law::<f64>)
+}

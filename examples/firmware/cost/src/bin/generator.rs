@@ -1,0 +1,8 @@
+//! The generators alone.
+#![no_std]
+#![no_main]
+
+#[board::entry]
+fn main() -> ! {
+    cost::run(cost::peers::generators)
+}

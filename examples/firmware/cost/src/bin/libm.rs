@@ -1,0 +1,10 @@
+//! `libm` in `f32`.
+#![no_std]
+#![no_main]
+
+use cost::peers;
+
+#[board::entry]
+fn main() -> ! {
+    cost::run(peers::every_law::<peers::formulas::Libm>)
+}

@@ -1,0 +1,80 @@
+//! The laws in integers.
+
+use crate::Meter;
+use crate::inputs::{COUNT, FROM_END, TAILS};
+use coslobe::fixed::FixedLaw;
+use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
+use fixed::types::{I0F32, I1F31, U0F32};
+use rand_pcg::Pcg32;
+use rand_xorshift::XorShiftRng;
+
+/// Angles in turns from both ends of the support; of both signs in the plane.
+fn turns(planar: bool) -> [I0F32; COUNT] {
+    core::array::from_fn(|i| {
+        let d = FROM_END[i / 2] / core::f64::consts::TAU;
+        let turn = if i % 2 == 0 { d } else { 0.25 - d };
+        I0F32::from_num(if planar && i % 4 >= 2 { -turn } else { turn })
+    })
+}
+
+/// Unit vectors at those angles.
+fn pairs(planar: bool) -> [CosSin<I1F31>; COUNT] {
+    crate::inputs::pairs::<f64>(planar).map(|at| CosSin {
+        cos: I1F31::saturating_from_num(at.cos),
+        sin: I1F31::saturating_from_num(at.sin),
+    })
+}
+
+/// From both ends.
+fn probabilities() -> [U0F32; COUNT] {
+    core::array::from_fn(|i| {
+        let p = TAILS[i / 2];
+        U0F32::saturating_from_num(if i % 2 == 0 { p } else { 1.0 - p })
+    })
+}
+
+/// Every operation of every law.
+pub fn every_fixed_law(meter: &mut Meter) {
+    law(meter, "Disk", &Fixed(Disk), true);
+    law(meter, "CircleShell", &Fixed(CircleShell), true);
+    law(meter, "CircleArc", &Fixed(CircleArc), true);
+    law(meter, "Ball", &Fixed(Ball), false);
+    law(meter, "SphereShell", &Fixed(SphereShell), false);
+    law(meter, "Lambert", &Fixed(Lambert), false);
+}
+
+/// A constant of a direction's type.
+trait Zero {
+    const ZERO: Self;
+}
+
+impl<const N: usize> Zero for [I1F31; N] {
+    const ZERO: Self = [I1F31::ZERO; N];
+}
+
+fn law<L, D: Zero>(meter: &mut Meter, name: &'static str, l: &Fixed<L>, planar: bool)
+where
+    L: FixedLaw<Density = U0F32, Direction = D>,
+{
+    let word = |_: &Fixed<L>, x: I0F32| U0F32::from_bits(x.to_bits() as u32);
+    let turn = |_: &Fixed<L>, p: U0F32| I0F32::from_bits(p.to_bits() as i32);
+    let (theta, at, p) = (turns(planar), pairs(planar), probabilities());
+    meter.law(name);
+    meter.call("pdf", l, &theta, Fixed::pdf, word);
+    meter.call("cdf", l, &theta, Fixed::cdf, word);
+    meter.call("sf", l, &theta, Fixed::sf, word);
+    let cos = |_: &Fixed<L>, at: CosSin<I1F31>| U0F32::from_bits(at.cos.to_bits() as u32);
+    meter.call("density", l, &at, Fixed::density, cos);
+    meter.call("unwarp", l, &at, Fixed::unwarp, cos);
+    meter.call("unwarp_sf", l, &at, Fixed::unwarp_sf, cos);
+    let both = |_: &Fixed<L>, p: U0F32| {
+        let x = I1F31::from_bits(p.to_bits() as i32);
+        CosSin { cos: x, sin: x }
+    };
+    meter.call("warp", l, &p, Fixed::warp, both);
+    meter.call("warp_sf", l, &p, Fixed::warp_sf, both);
+    meter.call("quantile", l, &p, Fixed::quantile, turn);
+    meter.call("isf", l, &p, Fixed::isf, turn);
+    meter.draw::<Pcg32, _, _>(l, Fixed::sample, |_, _| D::ZERO);
+    meter.draw::<XorShiftRng, _, _>(l, Fixed::sample, |_, _| D::ZERO);
+}

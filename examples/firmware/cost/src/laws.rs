@@ -1,0 +1,135 @@
+//! The library's operations: law × operation in one number type.
+
+use crate::Meter;
+use crate::inputs::{angles, pairs, probabilities};
+use coslobe::{
+    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Precise,
+    Real, Spatial, SphereShell,
+};
+use rand_pcg::Pcg32;
+use rand_xorshift::XorShiftRng;
+
+/// Exponent of the power law that is counted: that of `examples/accuracy_cost`.
+const EXPONENT: f64 = 20.0;
+
+/// A number type that the inputs are rounded to.
+pub trait Number: Real + core::ops::Neg<Output = Self> {
+    fn of(x: f64) -> Self;
+
+    /// As [`of`](Number::of), but never beyond π/2.
+    fn angle(x: f64) -> Self;
+}
+
+/// f32's π/2 lies beyond the true one.
+const TOP_ANGLE: f32 = f32::from_bits(core::f32::consts::FRAC_PI_2.to_bits() - 1);
+
+impl Number for f32 {
+    fn of(x: f64) -> f32 {
+        x as f32
+    }
+    fn angle(x: f64) -> f32 {
+        (x as f32).min(TOP_ANGLE)
+    }
+}
+
+impl Number for f64 {
+    fn of(x: f64) -> f64 {
+        x
+    }
+    fn angle(x: f64) -> f64 {
+        x
+    }
+}
+
+impl Number for Fast<f32> {
+    fn of(x: f64) -> Self {
+        Fast(Number::of(x))
+    }
+    fn angle(x: f64) -> Self {
+        Fast(Number::angle(x))
+    }
+}
+
+impl Number for Precise<f32> {
+    fn of(x: f64) -> Self {
+        Precise(Number::of(x))
+    }
+    fn angle(x: f64) -> Self {
+        Precise(Number::angle(x))
+    }
+}
+
+impl Number for Precise<f64> {
+    fn of(x: f64) -> Self {
+        Precise(x)
+    }
+    fn angle(x: f64) -> Self {
+        Precise(x)
+    }
+}
+
+/// Every operation of every law.
+pub fn every_law<T: Number>(meter: &mut Meter) {
+    planar::<T, _>(meter, "Disk", &Disk);
+    planar::<T, _>(meter, "CircleShell", &CircleShell);
+    planar::<T, _>(meter, "CircleArc", &CircleArc);
+    spatial::<T, _>(meter, "Ball", &Ball);
+    spatial::<T, _>(meter, "SphereShell", &SphereShell);
+    spatial::<T, _>(meter, "Lambert", &Lambert);
+    let power = CosPower::new(T::of(EXPONENT)).expect("a valid exponent");
+    spatial::<T, _>(meter, "CosPower(20)", &power);
+}
+
+// The methods themselves, not closures around them: a method that two operations share is not inlined, and a
+// closure would add its own call to the count.
+
+fn law<T: Number, L: Law<T>>(meter: &mut Meter, law: &L, planar: bool) {
+    let (theta, at, p) = (
+        angles::<T>(planar),
+        pairs::<T>(planar),
+        probabilities::<T>(),
+    );
+    meter.call("pdf", law, &theta, L::pdf, |_, x| x);
+    meter.call("ln_pdf", law, &theta, L::ln_pdf, |_, x| x);
+    meter.call("cdf", law, &theta, L::cdf, |_, x| x);
+    meter.call("sf", law, &theta, L::sf, |_, x| x);
+    meter.call("density", law, &at, L::density, first);
+    meter.call("lambert_weight", law, &at, L::lambert_weight, first);
+    meter.call("unwarp", law, &at, L::unwarp, first);
+    meter.call("unwarp_sf", law, &at, L::unwarp_sf, first);
+    meter.call("warp", law, &p, L::warp, both);
+    meter.call("warp_sf", law, &p, L::warp_sf, both);
+    meter.call("quantile", law, &p, L::quantile, |_, x| x);
+    meter.call("isf", law, &p, L::isf, |_, x| x);
+}
+
+fn first<L, T>(_: &L, at: CosSin<T>) -> T {
+    at.cos
+}
+
+fn both<L, T: Copy>(_: &L, x: T) -> CosSin<T> {
+    CosSin { cos: x, sin: x }
+}
+
+fn planar<T: Number, L: Planar<T>>(meter: &mut Meter, name: &'static str, l: &L) {
+    meter.law(name);
+    law(meter, l, true);
+    meter.draw::<Pcg32, _, _>(l, L::sample, |_, _| [T::of(0.0); 2]);
+    meter.draw::<XorShiftRng, _, _>(l, L::sample, |_, _| [T::of(0.0); 2]);
+}
+
+fn spatial<T: Number, L: Spatial<T>>(meter: &mut Meter, name: &'static str, l: &L) {
+    meter.law(name);
+    law(meter, l, false);
+    let theta = angles::<T>(false);
+    meter.call("pdf_solid_angle", l, &theta, L::pdf_solid_angle, |_, x| x);
+    meter.draw::<Pcg32, _, _>(l, L::sample, |_, _| [T::of(0.0); 3]);
+    meter.draw::<XorShiftRng, _, _>(l, L::sample, |_, _| [T::of(0.0); 3]);
+    let normal = [0.48, 0.6, 0.64].map(T::of);
+    meter.draw_as::<Pcg32, _, _>(
+        "sample_around",
+        &(l, normal),
+        |&(l, normal), rng| l.sample_around(normal, rng),
+        |_, _| [T::of(0.0); 3],
+    );
+}

@@ -1,0 +1,23 @@
+//! Instructions and stack of every operation, as the board counts them.
+//!
+//! A binary of `src/bin/` for each number type and each peer prints a line an operation:
+//!
+//! ```text
+//! count TICK_INSTRUCTIONS_IN_TWO REPEATS
+//! LAW OPERATION ADDRESS WORDS STACK,BASE_STACK BASE_TICKS TICKS,TICKS,...
+//! ```
+//!
+//! Ticks are of `REPEATS` calls of one input: so many that a call's instructions are the rounded quotient. The
+//! host takes off those of a call of a function that only returns (`examples/on_target/cost`).
+#![no_std]
+
+mod fixed;
+mod generator;
+mod inputs;
+mod laws;
+mod meter;
+pub mod peers;
+
+pub use fixed::every_fixed_law;
+pub use laws::{Number, every_law};
+pub use meter::{Meter, run};

@@ -1,0 +1,75 @@
+//! Absolute errors of directions in integers: their unit does not shrink with the component.
+
+use super::formulas::lambert_by_idsp;
+use crate::fixed_reference::{Q31, Q32, subjects};
+use coslobe::CosSin;
+use fixed::types::I1F31;
+
+/// Words in each octave from either end.
+const PER_OCTAVE: u32 = 256;
+
+/// The largest error of a component of (cos θ, sin θ).
+pub(crate) fn error(binary: &str, law: &str, operation: &str) -> Option<f64> {
+    if !["sample", "warp", "warp_sf"].contains(&operation) {
+        return None;
+    }
+    match binary {
+        "fixed" => ours(law),
+        "idsp" => Some(idsp()),
+        _ => None,
+    }
+}
+
+/// Words that crowd at 0, and their complements.
+fn words() -> impl Iterator<Item = u32> {
+    let octaves = (0..32).flat_map(|octave| {
+        let step = ((1u64 << octave) / u64::from(PER_OCTAVE)).max(1);
+        let end = 2u64 << octave;
+        ((1u64 << octave)..end).step_by(step as usize)
+    });
+    let near = octaves.map(|w| w as u32);
+    near.clone().chain(near.map(|w| !w))
+}
+
+/// Of both entries, of which a sample's error is that of the law's nearer one.
+fn ours(law: &str) -> Option<f64> {
+    let law = subjects().into_iter().find(|s| s.name == law)?;
+    let off = |got: CosSin<I1F31>, (cos, sin): (f64, f64)| {
+        let of = |got: I1F31, want: f64| (f64::from(got.to_bits()) / Q31 - want).abs();
+        of(got.cos, cos).max(of(got.sin, sin))
+    };
+    let each = words().map(|w| {
+        let (p, rest) = (f64::from(w) / Q32, (Q32 - f64::from(w)) / Q32);
+        off((law.warp)(w), law.pair(p, rest)).max(off((law.warp_sf)(w), law.pair(rest, p)))
+    });
+    Some(each.fold(0.0, f64::max))
+}
+
+/// At a fixed azimuth of 0.3 turns; a word w is the uniform (w + ½)·2⁻³².
+fn idsp() -> f64 {
+    let phase = 0x4CCC_CCCDu32;
+    let (s, c) = (f64::from(phase) / Q32 * std::f64::consts::TAU).sin_cos();
+    let each = words().map(|w| {
+        let u = (f64::from(w) + 0.5) / Q32;
+        let want = [(1.0 - u).sqrt() * c, u.sqrt(), (1.0 - u).sqrt() * s];
+        let got = lambert_by_idsp(w, phase).map(|x| f64::from(x) / Q31);
+        let off = want.iter().zip(got).map(|(want, got)| (want - got).abs());
+        off.fold(0.0, f64::max)
+    });
+    each.fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integers_err_by_units() {
+        let ours = error("fixed", "Lambert", "sample").unwrap();
+        assert!(ours > 0.0 && ours <= 4.0 / Q31, "{ours:e}");
+        let idsp = error("idsp", "Lambert", "sample").unwrap();
+        assert!((1e-6..1e-4).contains(&idsp), "{idsp:e}");
+        assert_eq!(error("f32", "Lambert", "sample"), None);
+        assert_eq!(error("fixed", "Lambert", "pdf"), None);
+    }
+}
