@@ -1,0 +1,26 @@
+//! A path tracer on `coslobe` that simulates only the effects that its scene calls for.
+//!
+//! ```text
+//! cargo run --release --example shade -- examples/shade/scenes/all.toml -o all.png
+//! ```
+
+mod args;
+mod file;
+mod image;
+mod job;
+mod plan;
+mod render;
+
+use args::Args;
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match job::run(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("shade: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}
