@@ -46,6 +46,16 @@ pub(crate) struct Args {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Task {
+    /// What valgrind runs.
+    #[command(name = crate::count::SUBCOMMAND, hide = true)]
+    CountCells,
+    /// Measures what each shipped scene costs with the effects that it needs, with all of them, and as
+    /// written by hand; writes shade.md and shade.csv.
+    Table {
+        /// Folder for the tables; other files in it are left alone.
+        #[arg(long, default_value = "docs")]
+        out: PathBuf,
+    },
     /// Puts the files of all shares of a frame together: the image that one machine would have made.
     Merge {
         /// The files that --tiles wrote, in any order.

@@ -14,8 +14,15 @@ use std::path::Path;
 use std::time::Instant;
 
 pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
-    if let Some(Task::Merge { .. }) = &args.task {
-        todo!()
+    match &args.task {
+        Some(Task::CountCells) => {
+            let mut cells = crate::cells::cells();
+            crate::count::child(cells.iter_mut().map(|c| [&mut *c.run, &mut *c.empty]));
+            return Ok(());
+        }
+        Some(Task::Table { out }) => return crate::table::run(out),
+        Some(Task::Merge { .. }) => todo!(),
+        None => {}
     }
     let (Some(path), Some(out)) = (&args.scene, &args.out) else {
         return Err("expected a scene and -o OUT.png".into());

@@ -5,11 +5,17 @@
 //! ```
 
 mod args;
+mod cells;
+#[path = "../accuracy_cost/count.rs"]
+mod count;
 mod file;
+mod hand;
 mod image;
 mod job;
 mod plan;
 mod render;
+mod sets;
+mod table;
 
 use args::Args;
 use clap::Parser;

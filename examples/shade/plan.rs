@@ -1,6 +1,6 @@
 //! What a scene calls for, why, and what that costs.
 
-use shade_core::{Cost, Counters, Effect, Effects, Number, Sampling, Scene, Set, Vector, pixel};
+use shade_core::{Cost, Counters, Effect, Effects, Sampling, Scene, Set, Vector, pixel};
 use std::fmt::Write;
 
 /// Why an effect is on, or why not.
@@ -30,7 +30,7 @@ fn why<V: Vector>(scene: &Scene<V>, effect: Effect, on: bool) -> String {
         }
         (Effect::Lamp, false) => "no lamp".to_owned(),
         (Effect::Diffuse, true) => {
-            count(materials(&|m| m.is_diffuse()), "material") + " with a diffuse part"
+            count(materials(&|m| m.is_diffuse), "material") + " with a diffuse part"
         }
         (Effect::Gloss, true) => count(materials(&|m| m.share != 0), "material") + " with gloss",
         (Effect::Mix, true) => count(materials(&|m| m.is_mixed()), "material") + " with both",

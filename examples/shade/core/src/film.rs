@@ -1,6 +1,6 @@
 //! What is kept of a pixel.
 
-use crate::{Effects, Meter, Number, Place, Rgb, Sampling, Scene, Vector, radiance};
+use crate::{Aim, Effects, Meter, Number, Place, Rgb, Sampling, Scene, Vector, radiance};
 
 /// Sums of a pixel's samples, relative to the first: equal samples have a variance of exactly 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,6 +32,26 @@ impl<T: Number> Pixel<T> {
 }
 
 impl<T: Number> Pixel<T> {
+    /// The pixel `i` (counted along rows) from `count` samples of what `radiance` says at their places.
+    #[inline(always)]
+    pub fn collect(
+        i: u32,
+        seed: u32,
+        count: u32,
+        mut radiance: impl FnMut(Place) -> Rgb<T>,
+    ) -> Self {
+        let mut pixel = Pixel::default();
+        for sample in 0..count {
+            let place = Place {
+                pixel: i,
+                sample,
+                seed,
+            };
+            pixel.add(radiance(place));
+        }
+        pixel
+    }
+
     /// The mean, in `f64`.
     pub fn mean(&self) -> Rgb<f64> {
         let n = f64::from(self.count);
@@ -59,14 +79,9 @@ pub fn pixel<V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
     samples: u32,
     meter: &mut M,
 ) -> Pixel<V::T> {
-    let mut pixel = Pixel::default();
-    for sample in 0..samples {
-        let place = Place {
-            pixel: u32::from(y) * u32::from(scene.camera.width) + u32::from(x),
-            sample,
-            seed: scene.seed,
-        };
-        pixel.add(radiance(scene, e, law, (x, y), place, meter));
-    }
-    pixel
+    let i = u32::from(y) * u32::from(scene.camera.width) + u32::from(x);
+    let aim = Aim::new(scene, e, (x, y), meter);
+    Pixel::collect(i, scene.seed, samples, |place| {
+        radiance(scene, e, law, &aim, place, meter)
+    })
 }

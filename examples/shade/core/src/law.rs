@@ -1,18 +1,17 @@
 //! The crate's laws as the shader uses them: to draw a direction around an axis, and its density there.
 
 use crate::number::zero;
-use crate::{Number, Vector};
+use crate::{Number, Vector, Words};
 use core::fmt::Debug;
-use coslobe::rand_core::Rng;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial,
-    SphereShell, uniform,
+    SphereShell,
 };
 
 /// A law that draws directions around an axis in the world of `V`.
 pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {
     /// (cos θ, sin θ), and the direction.
-    fn draw<R: Rng>(&self, axis: V, rng: &mut R) -> (CosSin<V::T>, V);
+    fn draw<R: Words>(&self, axis: V, rng: &mut R) -> (CosSin<V::T>, V);
     /// Density of a pair, rad⁻¹ or sr⁻¹.
     fn density_at(&self, at: CosSin<V::T>) -> V::T;
     /// Density of the direction `d` around `axis`.
@@ -23,33 +22,27 @@ pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {
     fn mean_cos(&self) -> V::T;
 }
 
-/// Whether a law's density reads the sine.
+/// What is known of a law before it is called.
 pub trait Reads {
-    /// It does.
-    const SINE: bool;
+    /// Its density reads the sine.
+    const SINE: bool = false;
+    /// It is the law of diffuse reflection itself, whose samples all weigh 1.
+    const DIFFUSE: bool = false;
 }
 
 impl Reads for Lambert {
-    const SINE: bool = false;
+    const DIFFUSE: bool = true;
 }
-impl Reads for SphereShell {
-    const SINE: bool = false;
-}
-impl Reads for Ball {
-    const SINE: bool = false;
-}
+impl Reads for SphereShell {}
+impl Reads for Ball {}
 impl<T> Reads for CosPower<T> {
     const SINE: bool = true;
 }
 impl Reads for CircleShell {
-    const SINE: bool = false;
+    const DIFFUSE: bool = true;
 }
-impl Reads for Disk {
-    const SINE: bool = false;
-}
-impl Reads for CircleArc {
-    const SINE: bool = false;
-}
+impl Reads for Disk {}
+impl Reads for CircleArc {}
 
 /// The pair of `d` around `axis`, as far as the law `L` reads it.
 #[inline(always)]
@@ -65,14 +58,14 @@ fn pair<L: Reads, V: Vector>(axis: V, d: V) -> CosSin<V::T> {
 }
 
 #[inline(always)]
-fn draw<L: Law<V::T>, V: Vector, R: Rng>(law: &L, axis: V, rng: &mut R) -> (CosSin<V::T>, V) {
-    let at = law.warp_tails(uniform::tails(rng));
+fn draw<L: Law<V::T>, V: Vector, R: Words>(law: &L, axis: V, rng: &mut R) -> (CosSin<V::T>, V) {
+    let at = law.warp_tails(V::T::tails(rng));
     (at, axis.around(at, rng))
 }
 
 impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 3]> for L {
     #[inline(always)]
-    fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
+    fn draw<R: Words>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
         draw(self, axis, rng)
     }
     #[inline(always)]
@@ -85,7 +78,11 @@ impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T;
     }
     #[inline(always)]
     fn diffuse_weight(&self, at: CosSin<T>) -> T {
-        self.lambert_weight(at)
+        if L::DIFFUSE {
+            T::ONE
+        } else {
+            self.lambert_weight(at)
+        }
     }
     fn mean_cos(&self) -> T {
         self.moments().mean_cos
@@ -94,7 +91,7 @@ impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T;
 
 impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 2]> for L {
     #[inline(always)]
-    fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
+    fn draw<R: Words>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
         draw(self, axis, rng)
     }
     #[inline(always)]
@@ -107,7 +104,11 @@ impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 
     }
     #[inline(always)]
     fn diffuse_weight(&self, at: CosSin<T>) -> T {
-        self.lambert_weight(at)
+        if L::DIFFUSE {
+            T::ONE
+        } else {
+            self.lambert_weight(at)
+        }
     }
     fn mean_cos(&self) -> T {
         self.moments().mean_cos
@@ -141,8 +142,8 @@ pub enum AnyPlanar {
 /// Each call is passed on to the law.
 impl<T: Number> Sampling<[T; 3]> for AnySpatial<T> {
     #[inline(always)]
-    fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
-        let u = uniform::tails(rng);
+    fn draw<R: Words>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
+        let u = T::tails(rng);
         let at = match self {
             Self::Lambert => Lambert.warp_tails(u),
             Self::SphereShell => SphereShell.warp_tails(u),
@@ -190,8 +191,8 @@ impl<T: Number> Sampling<[T; 3]> for AnySpatial<T> {
 
 impl<T: Number> Sampling<[T; 2]> for AnyPlanar {
     #[inline(always)]
-    fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
-        let u = uniform::tails(rng);
+    fn draw<R: Words>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
+        let u = T::tails(rng);
         let at = match self {
             Self::CircleArc => CircleArc.warp_tails(u),
             Self::CircleShell => CircleShell.warp_tails(u),

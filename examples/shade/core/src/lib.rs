@@ -35,7 +35,8 @@ pub use number::Number;
 pub use path::radiance;
 pub use plan::{Asked, Cost, Effect, Effects, Only, Set};
 pub use scene::{Camera, Scene};
-pub use stream::{Place, Stream};
+pub use start::Aim;
+pub use stream::{Place, Stream, Words};
 pub use vector::Vector;
 
 /// Red, green, blue: radiance, reflectance, transmittance.

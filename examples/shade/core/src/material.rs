@@ -1,8 +1,7 @@
 //! How a surface reflects and shines.
 
 use crate::number::{int, one, zero};
-use crate::{Effect, Meter, Number, Place, Rgb, Sampling, Stream, Vector};
-use coslobe::rand_core::Rng;
+use crate::{Effect, Meter, Number, Place, Rgb, Sampling, Stream, Vector, Words};
 
 /// How a surface reflects and shines.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +14,8 @@ pub struct Material<V: Vector> {
     pub lobe: V::Law,
     /// The glossy part is chosen for this many of 2³² words.
     pub share: u64,
+    /// Whether it has a diffuse part.
+    pub is_diffuse: bool,
     /// Radiance, on both sides.
     pub emission: Rgb<V::T>,
 }
@@ -52,6 +53,7 @@ impl<V: Vector> Material<V> {
             gloss: over(gloss, chance * mean_cos),
             lobe,
             share,
+            is_diffuse: d > zero(),
             emission,
         }
     }
@@ -61,17 +63,11 @@ impl<V: Vector> Material<V> {
         self.share != 0 && self.share != 1 << 32
     }
 
-    /// Whether it reflects diffusely.
-    #[inline(always)]
-    pub fn is_diffuse(&self) -> bool {
-        self.diffuse.iter().any(|&x| x > zero())
-    }
-
     /// The choice between its parts.
     #[inline(always)]
     pub(crate) fn chooses_gloss<M: Meter>(&self, place: Place, bounce: u32, meter: &mut M) -> bool {
         meter.run(Effect::Mix);
-        let word = Stream::new(place, bounce, Effect::Mix, 0, meter).next_u32();
+        let word = Stream::new(place, bounce, Effect::Mix, 0, meter).word();
         u64::from(word) < self.share
     }
 }

@@ -1,6 +1,8 @@
 //! What the shader asks of a number type beyond what the laws do.
 
-use coslobe::{Fast, Precise, Real};
+use crate::Words;
+use coslobe::uniform::{self, TailBits, TurnBits};
+use coslobe::{CosSin, Fast, Precise, Real, Tails};
 
 /// A number type of `coslobe` that scenes are rendered in.
 ///
@@ -19,6 +21,20 @@ pub trait Number: Real + Into<f64> {
     fn exp(self) -> Self;
     /// ln x.
     fn ln(self) -> Self;
+    /// The words of one [`Tails`]: those of [`uniform::tails`].
+    fn tail_bits<R: Words>(rng: &mut R) -> TailBits<Self>;
+    /// The words of one azimuth.
+    fn turn_bits<R: Words>(rng: &mut R) -> TurnBits<Self>;
+    /// A uniform probability.
+    #[inline(always)]
+    fn tails<R: Words>(rng: &mut R) -> Tails<Self> {
+        uniform::tails_from_bits::<Self>(Self::tail_bits(rng))
+    }
+    /// A uniform azimuth.
+    #[inline(always)]
+    fn azimuth<R: Words>(rng: &mut R) -> CosSin<Self> {
+        uniform::azimuth_from_bits::<Self>(Self::turn_bits(rng))
+    }
 }
 
 impl Number for f32 {
@@ -42,6 +58,14 @@ impl Number for f32 {
     #[inline]
     fn ln(self) -> f32 {
         libm::logf(self)
+    }
+    #[inline(always)]
+    fn tail_bits<R: Words>(rng: &mut R) -> u64 {
+        rng.long()
+    }
+    #[inline(always)]
+    fn turn_bits<R: Words>(rng: &mut R) -> u32 {
+        rng.word()
     }
 }
 
@@ -67,6 +91,14 @@ impl Number for f64 {
     fn ln(self) -> f64 {
         libm::log(self)
     }
+    #[inline(always)]
+    fn tail_bits<R: Words>(rng: &mut R) -> u128 {
+        u128::from(rng.long()) << 64 | u128::from(rng.long())
+    }
+    #[inline(always)]
+    fn turn_bits<R: Words>(rng: &mut R) -> u64 {
+        rng.long()
+    }
 }
 
 impl Number for Fast<f32> {
@@ -91,6 +123,14 @@ impl Number for Fast<f32> {
     fn ln(self) -> Self {
         Fast(libm::logf(self.0))
     }
+    #[inline(always)]
+    fn tail_bits<R: Words>(rng: &mut R) -> u32 {
+        rng.word()
+    }
+    #[inline(always)]
+    fn turn_bits<R: Words>(rng: &mut R) -> u32 {
+        rng.word()
+    }
 }
 
 impl Number for Precise<f32> {
@@ -114,6 +154,14 @@ impl Number for Precise<f32> {
     #[inline]
     fn ln(self) -> Self {
         Precise(libm::logf(self.0))
+    }
+    #[inline(always)]
+    fn tail_bits<R: Words>(rng: &mut R) -> u64 {
+        rng.long()
+    }
+    #[inline(always)]
+    fn turn_bits<R: Words>(rng: &mut R) -> u32 {
+        rng.word()
     }
 }
 

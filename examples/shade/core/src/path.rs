@@ -2,7 +2,7 @@
 
 use crate::effect::{Diffuse, Gloss, Lobe, Onward, isotropic, lamp, scattered_at, sun};
 use crate::number::{abs, copysign, infinity, one, zero};
-use crate::start::start;
+use crate::start::{Aim, start};
 use crate::vector::{plus, tint};
 use crate::{Effect, Effects, Hit, Meter, Place, Ray, Rgb, Sampling, Scene, Target, Vector};
 
@@ -26,7 +26,7 @@ pub(crate) struct Path<'s, V: Vector, E, L, M> {
 /// Where a path is scattered: the position, the surface, and how.
 type Vertex<'s, V> = (V, Target, Lobe<'s, V>);
 
-/// Radiance of one sample of the pixel (x, y).
+/// Radiance of one sample of a pixel.
 ///
 /// A path is followed from the camera to at most `scene.bounces` scatterings. At each, sun and lamps are
 /// asked for their light directly; sky and emitters are met by the path itself, and lamps by both.
@@ -36,7 +36,7 @@ pub fn radiance<V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
     scene: &Scene<V>,
     e: E,
     law: &L,
-    pixel: (u16, u16),
+    aim: &Aim<V>,
     place: Place,
     meter: &mut M,
 ) -> Rgb<V::T> {
@@ -51,34 +51,41 @@ pub fn radiance<V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
         bounce: 0,
         density: infinity(),
     };
-    let scatters = e.on(Effect::Diffuse) || e.on(Effect::Gloss) || e.on(Effect::Scattering);
-    let limit = match scene.bounces {
-        n if e.on(Effect::Bounces) => n,
-        n if scatters => n.min(1),
-        _ => 0,
-    };
-    let meets_light = e.on(Effect::Sky) || e.on(Effect::Emission) || e.on(Effect::Lamp);
-    let mut ray = start(&mut path, pixel);
-    for left in (0..=limit).rev() {
-        let hit = scene.nearest(e, &ray);
-        let vertex = match path.through_fog(&ray, hit.t, left == 0) {
-            Some(vertex) => Some(vertex),
-            None => path.arrive(&ray, hit, left == 0),
-        };
-        let Some(vertex) = vertex else { break };
-        path.direct(&vertex);
-        if left == 1 && !meets_light {
-            break;
+    let (mut ray, mut hit) = start(&mut path, aim);
+    if e.on(Effect::Bounces) {
+        let mut left = scene.bounces;
+        while let Some(next) = path.segment(&ray, hit, left) {
+            ray = next;
+            hit = scene.nearest(e, &ray);
+            left -= 1;
         }
-        let Some(next) = path.onward(&vertex) else {
-            break;
-        };
-        ray = next;
+    } else if e.on(Effect::Diffuse) || e.on(Effect::Gloss) || e.on(Effect::Scattering) {
+        if let Some(ray) = path.segment(&ray, hit, 1) {
+            path.segment(&ray, scene.nearest(e, &ray), 0);
+        }
+    } else {
+        path.segment(&ray, hit, 0);
     }
     path.light
 }
 
 impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
+    /// Follows the ray to where it is scattered, of which there are `left`, and returns the ray that goes on.
+    #[inline(always)]
+    fn segment(&mut self, ray: &Ray<V>, hit: Hit<V::T>, left: u16) -> Option<Ray<V>> {
+        let e = self.e;
+        let vertex = match self.through_fog(ray, hit.t, left == 0) {
+            Some(vertex) => vertex,
+            None => self.arrive(ray, hit, left == 0)?,
+        };
+        self.direct(&vertex);
+        let meets_light = e.on(Effect::Sky) || e.on(Effect::Emission) || e.on(Effect::Lamp);
+        if left == 1 && !meets_light {
+            return None;
+        }
+        self.onward(&vertex)
+    }
+
     /// Fog up to `t`: what it takes of the light, and where it scatters.
     #[inline(always)]
     fn through_fog(&mut self, ray: &Ray<V>, t: V::T, is_last: bool) -> Option<Vertex<'s, V>> {
@@ -140,7 +147,7 @@ impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
                 mirror: ray.direction.along(normal, abs(cos + cos)),
                 material,
             })
-        } else if self.e.on(Effect::Diffuse) && material.is_diffuse() {
+        } else if self.e.on(Effect::Diffuse) && material.is_diffuse {
             Lobe::Diffuse(Diffuse {
                 normal,
                 albedo: material.diffuse,

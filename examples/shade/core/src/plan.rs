@@ -139,7 +139,7 @@ impl Set {
 }
 
 /// Tells the integrator which effects are on.
-pub trait Effects: Copy + Send + Sync {
+pub trait Effects: Copy + Send + Sync + 'static {
     /// Whether `effect` is on.
     fn on(self, effect: Effect) -> bool;
     /// The whole set.

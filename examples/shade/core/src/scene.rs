@@ -86,10 +86,11 @@ impl<V: Vector> Scene<V> {
         };
         let fog = self.fog.region.radius > zero;
         let may_scatter = self.bounces > 0;
-        let diffuse = may_scatter && any(&Material::is_diffuse);
+        let diffuse = may_scatter && any(&|m| m.is_diffuse);
         let gloss = may_scatter && any(&|m| m.share != 0);
-        let scattering = fog && self.fog.scattering > zero;
-        let scatters = diffuse || gloss || (scattering && may_scatter);
+        let scatters_fog = fog && self.fog.scattering > zero;
+        let scattering = may_scatter && scatters_fog;
+        let scatters = diffuse || gloss || scattering;
         Set::LEAST
             .with_if(Effect::Filter, self.camera.filter > zero)
             .with_if(Effect::Lens, self.camera.lens > zero)
@@ -104,7 +105,11 @@ impl<V: Vector> Scene<V> {
             .with_if(Effect::Gloss, gloss)
             .with_if(Effect::Mix, may_scatter && any(&Material::is_mixed))
             .with_if(Effect::Bounces, self.bounces > 1 && scatters)
-            .with_if(Effect::Absorption, fog && some(&self.fog.absorption))
+            .with_if(
+                Effect::Absorption,
+                // Without scatterings to follow, what fog scatters is as good as absorbed.
+                fog && some(&self.fog.absorption) || scatters_fog && !may_scatter,
+            )
             .with_if(Effect::Scattering, scattering)
     }
 
@@ -165,7 +170,7 @@ impl<V: Vector> Scene<V> {
 
     /// The material of a sphere or plate.
     #[inline(always)]
-    pub(crate) fn material(&self, target: Target) -> Option<&Material<V>> {
+    pub fn material(&self, target: Target) -> Option<&Material<V>> {
         let i = target.index();
         let material = if target.is_plate() {
             self.plates.get(i)?.material
@@ -177,7 +182,7 @@ impl<V: Vector> Scene<V> {
 
     /// (the point, the unit normal) of a sphere or plate that was hit.
     #[inline(always)]
-    pub(crate) fn surface(&self, ray: &Ray<V>, hit: Hit<V::T>) -> Option<(V, V)> {
+    pub fn surface(&self, ray: &Ray<V>, hit: Hit<V::T>) -> Option<(V, V)> {
         let p = ray.at(hit.t);
         let i = hit.target.index();
         Some(if hit.target.is_plate() {

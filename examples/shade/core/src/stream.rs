@@ -1,8 +1,6 @@
 //! Random words by counting: a hash of (pixel, sample, bounce, effect), so that no effect shifts another's.
 
 use crate::{Effect, Meter};
-use core::convert::Infallible;
-use coslobe::rand_core::TryRng;
 
 /// Where in the image's estimate a random number belongs.
 #[derive(Clone, Copy, Debug)]
@@ -56,11 +54,22 @@ impl<'m, M: Meter> Stream<'m, M> {
     }
 }
 
-impl<M: Meter> TryRng for Stream<'_, M> {
-    type Error = Infallible;
-
+/// Where random words come from. `rand_core`'s traits say the same, but what is provided there is not
+/// always inlined, and then a stream's state goes through memory.
+pub trait Words {
+    /// The next 32 bits.
+    fn word(&mut self) -> u32;
+    /// The next 64 bits, high word first.
     #[inline(always)]
-    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+    fn long(&mut self) -> u64 {
+        let high = self.word();
+        u64::from(high) << 32 | u64::from(self.word())
+    }
+}
+
+impl<M: Meter> Words for Stream<'_, M> {
+    #[inline(always)]
+    fn word(&mut self) -> u32 {
         if self.used == 4 {
             self.counter[3] = self.counter[3].wrapping_add(1);
             self.words = block(self.counter);
@@ -69,21 +78,6 @@ impl<M: Meter> TryRng for Stream<'_, M> {
         let word = self.words[self.used & 3];
         self.used += 1;
         self.meter.word(self.effect);
-        Ok(word)
-    }
-
-    #[inline(always)]
-    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        let high = self.try_next_u32()?;
-        let low = self.try_next_u32()?;
-        Ok(u64::from(high) << 32 | u64::from(low))
-    }
-
-    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
-        for part in bytes.chunks_mut(4) {
-            let word = self.try_next_u32()?.to_le_bytes();
-            part.copy_from_slice(&word[..part.len()]);
-        }
-        Ok(())
+        word
     }
 }

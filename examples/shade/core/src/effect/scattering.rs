@@ -3,7 +3,6 @@
 use super::{Fog, Onward};
 use crate::number::one;
 use crate::{Effect, Meter, Number, Place, Stream, Vector};
-use coslobe::uniform;
 
 /// The length of fog up to the point where the ray is scattered, if that is less than `length`: the optical
 /// depth −ln u is exponential.
@@ -17,7 +16,7 @@ pub fn scattered_at<V: Vector, M: Meter>(
 ) -> Option<V::T> {
     meter.run(Effect::Scattering);
     let mut words = Stream::new(place, bounce, Effect::Scattering, 0, meter);
-    let depth = -uniform::unit::<V::T, _>(&mut words).ln();
+    let depth = -V::T::tails(&mut words).lower().ln();
     (depth < fog.scattering * length).then(|| depth / fog.scattering)
 }
 

@@ -18,12 +18,14 @@ impl Target {
     const PLATES: u16 = 1 << 8;
     const LAMPS: u16 = 1 << 9;
 
+    /// A sphere.
     #[inline(always)]
-    pub(crate) fn sphere(i: usize) -> Target {
+    pub fn sphere(i: usize) -> Target {
         Target(i as u16)
     }
+    /// A plate.
     #[inline(always)]
-    pub(crate) fn plate(i: usize) -> Target {
+    pub fn plate(i: usize) -> Target {
         Target(Self::PLATES | i as u16)
     }
     #[inline(always)]
@@ -74,15 +76,17 @@ pub struct Hit<T> {
 }
 
 impl<T: Number> Hit<T> {
+    /// Nothing, at ∞.
     #[inline(always)]
-    pub(crate) fn nothing() -> Self {
+    pub fn nothing() -> Self {
         Hit {
             t: T::INFINITY,
             target: Target::NONE,
         }
     }
+    /// Becomes what is nearer.
     #[inline(always)]
-    pub(crate) fn nearer(&mut self, t: T, target: Target) {
+    pub fn nearer(&mut self, t: T, target: Target) {
         if t < self.t {
             *self = Hit { t, target };
         }
