@@ -5,7 +5,9 @@ use crate::hand;
 use crate::sets::{Compiled, Job};
 use coslobe::{CircleShell, Lambert};
 use shade_core::effect::Lamp;
-use shade_core::{Asked, Effects, Pixel, Place, Sampling, Scene, Set, Vector, pixel};
+use shade_core::{
+    Asked, Counters, Effect, Effects, Pixel, Place, Sampling, Scene, Set, Vector, pixel,
+};
 use std::hint::black_box;
 use std::rc::Rc;
 
@@ -80,6 +82,10 @@ pub(crate) struct Cell {
     /// What it computes.
     pub(crate) pixels: Box<dyn Fn() -> Vec<Pixel<f32>>>,
     pub(crate) samples: u64,
+    /// How many effects are on; rays and words a sample. Shaders written by hand do not say.
+    pub(crate) effects: Option<u32>,
+    pub(crate) rays: Option<f64>,
+    pub(crate) words: Option<f64>,
 }
 
 fn grid<V: Vector>(scene: &Scene<V>) -> Vec<(u16, u16)> {
@@ -100,6 +106,9 @@ fn cell(
     Cell {
         scene,
         way,
+        effects: None,
+        rays: None,
+        words: None,
         samples: at.len() as u64 * u64::from(SAMPLES),
         run: Box::new(move || {
             for &at in &*at {
@@ -133,10 +142,20 @@ impl<V: Vector<T = f32>, L: Sampling<V> + 'static> Job for Way<V, L> {
             law,
         } = self;
         let at = grid(&of);
+        let mut n = Counters::default();
+        for &at in &at {
+            pixel(&of, Asked(e.set()), &law, at, SAMPLES, &mut n);
+        }
+        let samples = at.len() as f64 * f64::from(SAMPLES);
+        let mean = |n: [u64; Effect::COUNT]| Some(n.iter().sum::<u64>() as f64 / samples);
         // A set that is asked must not be known to the compiler.
-        cell(scene, way, at, move |at| {
-            pixel(&of, black_box(e), &law, at, SAMPLES, &mut ())
-        })
+        let shade = move |at| pixel(&of, black_box(e), &law, at, SAMPLES, &mut ());
+        Cell {
+            effects: Some(e.set().iter().count() as u32),
+            rays: mean(n.rays),
+            words: mean(n.words),
+            ..cell(scene, way, at, shade)
+        }
     }
 }
 

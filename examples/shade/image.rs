@@ -47,6 +47,10 @@ impl Frame {
         usize::from(y) * usize::from(self.width) + usize::from(x)
     }
 
+    pub(crate) fn get(&self, at: (u16, u16)) -> &Pixel<f64> {
+        &self.pixels[self.index(at)]
+    }
+
     pub(crate) fn put(&mut self, block: u32, pixels: &[Pixel<f64>]) {
         for (at, pixel) in self.places(block).zip(pixels) {
             let i = self.index(at);
@@ -66,8 +70,8 @@ impl Frame {
 
     /// 8-bit sRGB.
     pub(crate) fn bytes(&self, exposure: f64) -> Vec<u8> {
-        let pixels = self.pixels.iter().filter(|p| p.count > 0 || true);
-        pixels
+        self.pixels
+            .iter()
             .flat_map(|p| p.mean().map(|x| encoded(x * exposure)))
             .collect()
     }

@@ -16,6 +16,7 @@ mod plan;
 mod render;
 mod sets;
 mod table;
+mod tiles;
 
 use args::Args;
 use clap::Parser;

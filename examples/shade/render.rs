@@ -1,7 +1,7 @@
 //! Blocks of pixels on all threads. What a pixel is does not depend on who renders it.
 
 use crate::args::Share;
-use crate::image::{BLOCK, Frame};
+use crate::image::Frame;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use shade_core::{Effects, Number, Pixel, Sampling, Scene, Vector, pixel};
@@ -42,6 +42,5 @@ pub(crate) fn render<V: Vector, E: Effects, L: Sampling<V>>(
     for (block, pixels) in done {
         frame.put(block, &pixels);
     }
-    debug_assert_eq!(BLOCK, 16);
     frame
 }

@@ -1,28 +1,164 @@
-//! The table of costs.
-use crate::cells::cells;
-use crate::count::{Missing, counts};
-use std::error::Error;
-use std::path::Path;
+//! What each scene costs with the effects that it needs, with all of them, and as written by hand:
+//! `shade.csv` and `shade.md`.
 
-pub(crate) fn run(_out: &Path) -> Result<(), Box<dyn Error>> {
-    let cells = cells();
+use crate::cells::{Cell, SHIPPED, cells};
+use crate::count::{Missing, counts};
+use crate::image::write_whole;
+use indicatif::ProgressBar;
+use std::error::Error;
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+/// Rounds over the ways of a scene; the quickest of each counts.
+const ROUNDS: usize = 25;
+
+/// One way of one scene.
+struct Row<'c> {
+    cell: &'c Cell,
+    instructions: Option<f64>,
+    /// Time of the way `needed` is 1.
+    time: f64,
+}
+
+pub(crate) fn run(out: &Path) -> Result<(), Box<dyn Error>> {
+    let mut cells = cells();
     for c in &cells {
-        let same = cells
+        let needed = cells
             .iter()
             .find(|d| d.scene == c.scene && d.way == "needed");
-        if let Some(n) = same {
-            if (n.pixels)() != (c.pixels)() {
-                println!("DIFFERS {} {}", c.scene, c.way);
-            }
+        if needed.is_none_or(|d| (d.pixels)() != (c.pixels)()) {
+            return Err(format!(
+                "{}: pixels by `{}` differ; expected the same bits",
+                c.scene, c.way
+            )
+            .into());
         }
     }
     let calls: Vec<u64> = cells.iter().map(|c| c.samples).collect();
-    let counts = match counts(&calls, || ()) {
-        Ok(c) => c,
-        Err(Missing::Skipped(e) | Missing::Failed(e)) => return Err(e.into()),
+    let progress = ProgressBar::new(2 * calls.len() as u64);
+    let instructions = match counts(&calls, || progress.inc(1)) {
+        Ok(counts) => counts.into_iter().map(Some).collect(),
+        Err(Missing::Failed(e)) => return Err(e.into()),
+        Err(Missing::Skipped(reason)) => {
+            println!("SKIPPED: instructions: {reason}");
+            vec![None; calls.len()]
+        }
     };
-    for (c, n) in cells.iter().zip(counts) {
-        println!("{:<16}{:<8}{n:10.1}", c.scene, c.way);
-    }
+    progress.finish_and_clear();
+    let times = times(&mut cells);
+    let rows: Vec<Row> = cells
+        .iter()
+        .zip(instructions.iter().zip(&times))
+        .map(|(cell, (&instructions, &time))| Row {
+            cell,
+            instructions,
+            time,
+        })
+        .collect();
+    write_whole(&out.join("shade.csv"), csv(&rows)?.as_bytes())?;
+    write_whole(&out.join("shade.md"), page(&rows).as_bytes())?;
+    println!("{}", page(&rows));
     Ok(())
+}
+
+/// Seconds, in interleaved rounds.
+fn times(cells: &mut [Cell]) -> Vec<f64> {
+    let mut best = vec![f64::INFINITY; cells.len()];
+    for _ in 0..ROUNDS {
+        for (cell, best) in cells.iter_mut().zip(&mut best) {
+            let start = Instant::now();
+            (cell.run)();
+            *best = best.min(start.elapsed().as_secs_f64());
+        }
+    }
+    best
+}
+
+fn csv(rows: &[Row]) -> Result<String, Box<dyn Error>> {
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    csv.write_record([
+        "scene",
+        "way",
+        "effects",
+        "rays",
+        "words",
+        "instructions",
+        "time_ratio",
+    ])?;
+    for row in rows {
+        let c = row.cell;
+        let base = rows
+            .iter()
+            .find(|r| r.cell.scene == c.scene && r.cell.way == "needed");
+        let ratio = row.time / base.map_or(row.time, |b| b.time);
+        csv.write_record([
+            c.scene.to_owned(),
+            c.way.to_owned(),
+            c.effects.map_or(String::new(), |e| e.to_string()),
+            c.rays.map_or(String::new(), |n| format!("{n:.3}")),
+            c.words.map_or(String::new(), |n| format!("{n:.3}")),
+            row.instructions
+                .map_or(String::new(), |n| format!("{n:.1}")),
+            format!("{ratio:.2}"),
+        ])?;
+    }
+    Ok(String::from_utf8(csv.into_inner()?)?)
+}
+
+const HEAD: &str = "\
+# What a scene costs
+
+Per sample of a pixel, in `f32`. *Needed*: the effects that the scene calls for, part of the integrator's type
+(`Only`). *Asked*: the same effects, one program for all scenes that asks as it goes (`Asked`). *All*: every
+effect forced on, those that the scene does not call for with neutral parameters (fog of density 0, a lens of
+radius 0, a lamp of no size …). *Hand*: a shader written for that scene alone (`examples/shade/hand`). All four
+give the same bits, which the command checks before it counts. Rays and words: *needed* → *all*; a camera
+without filter and lens traces its ray once a pixel (4 samples here). Instructions are callgrind's, over 16 × 12 pixels spread over the image; times are ratios
+within one run, the quickest of 25 interleaved rounds.
+
+Regenerated by `cargo run --release --example shade -- table` (Debian: valgrind).
+
+| scene | effects | rays | words | needed, instructions | hand | needed/hand | asked/needed | all/needed | time: all/needed |
+|---|---|---|---|---|---|---|---|---|---|
+";
+
+fn page(rows: &[Row]) -> String {
+    let mut text = HEAD.to_owned();
+    for shipped in &SHIPPED {
+        let way = |name| {
+            rows.iter()
+                .find(|r| r.cell.scene == shipped.name && r.cell.way == name)
+        };
+        let (Some(needed), Some(asked), Some(all)) = (way("needed"), way("asked"), way("all"))
+        else {
+            continue;
+        };
+        let hand = way("hand");
+        let number = |n: Option<f64>| n.map_or("–".to_owned(), |n| format!("{n:.0}"));
+        let ratio =
+            |a: &Row, b: Option<&Row>| match (a.instructions, b.and_then(|b| b.instructions)) {
+                (Some(a), Some(b)) => format!("{:.2}", a / b),
+                _ => "–".to_owned(),
+            };
+        let both = |a: Option<f64>, b: Option<f64>| match (a, b) {
+            (Some(a), Some(b)) => format!("{a:.2} → {b:.2}"),
+            _ => "–".to_owned(),
+        };
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {:.2} |",
+            shipped.name,
+            needed.cell.effects.unwrap_or(0),
+            both(needed.cell.rays, all.cell.rays),
+            both(needed.cell.words, all.cell.words),
+            number(needed.instructions),
+            number(hand.and_then(|h| h.instructions)),
+            ratio(needed, hand),
+            ratio(asked, Some(needed)),
+            ratio(all, Some(needed)),
+            all.time / needed.time,
+        );
+    }
+    text
 }
