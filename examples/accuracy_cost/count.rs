@@ -1,7 +1,6 @@
 //! Instructions by callgrind: this program runs itself once under valgrind, and each cell is
 //! dumped apart.
 
-use crate::cell::Cell;
 use std::fs;
 use std::hint::black_box;
 use std::io::{BufRead, BufReader};
@@ -11,7 +10,7 @@ use std::process::{Command, Stdio};
 /// The hidden subcommand that valgrind runs.
 pub(crate) const SUBCOMMAND: &str = "count-cells";
 /// What callgrind calls [`counted`], whose symbol is mangled.
-const SYMBOL: &str = "accuracy_cost::count::counted";
+const SYMBOL: &str = concat!(module_path!(), "::counted");
 
 /// Why there are no counts.
 pub(crate) enum Missing {
@@ -29,13 +28,13 @@ fn counted(cell: &mut dyn FnMut()) {
     black_box(());
 }
 
-/// The child's side: every cell, then its empty loop; a line for each.
-pub(crate) fn child<'a>(cells: impl Iterator<Item = &'a mut Cell>) {
-    for cell in cells {
+/// The child's side: what each cell runs, then its empty loop; a line for each.
+pub(crate) fn child<'a>(cells: impl Iterator<Item = [&'a mut (dyn FnMut() + 'static); 2]>) {
+    for [run, empty] in cells {
         // Once before, so that lazily bound symbols are not billed to a cell.
-        (cell.run)();
-        counted(&mut *cell.run);
-        counted(&mut *cell.empty);
+        run();
+        counted(run);
+        counted(empty);
         println!("counted");
     }
 }
@@ -56,7 +55,7 @@ pub(crate) fn counts(calls: &[u64], step: impl Fn()) -> Result<Vec<f64>, Missing
             "valgrind does not start ({e}); `apt install valgrind`"
         )));
     }
-    let name = format!("accuracy_cost-{}", std::process::id());
+    let name = format!("{}-{}", env!("CARGO_CRATE_NAME"), std::process::id());
     let scratch = Scratch(std::env::temp_dir().join(name));
     let failed = |what: &str, e: std::io::Error| Missing::Failed(format!("{what}: {e}"));
     fs::create_dir_all(&scratch.0).map_err(|e| failed("temporary folder", e))?;

@@ -53,7 +53,8 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let done = match &args.task {
         Some(Task::CountCells) => {
-            count::child(catalog::Counted::new().cells());
+            let mut all = catalog::Counted::new();
+            count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty]));
             Ok(())
         }
         Some(Task::DiskQuantile { input, values }) => {

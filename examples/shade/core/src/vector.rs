@@ -1,0 +1,212 @@
+//! Vectors of space and of flatland, and what differs between the two worlds.
+
+use crate::law::{AnyPlanar, AnySpatial, Sampling};
+use crate::number::one;
+use crate::{Number, Rgb, Words};
+use coslobe::{CircleShell, CosSin, Frame, Lambert, Law};
+
+/// `[T; 3]` for space, `[T; 2]` for flatland.
+///
+/// In flatland light travels in a plane: radiance is per radian, Lambert's law is cos θ / 2, a sphere is a
+/// circle and a rectangle a segment. A pixel is a point of that plane, and its value the mean of the
+/// radiance that arrives there from all around.
+pub trait Vector: Copy + Send + Sync + core::fmt::Debug + 'static {
+    /// The number type.
+    type T: Number;
+    /// Any law of this world, chosen at run time.
+    type Law: Sampling<Self>;
+    /// Number of components.
+    const DIM: usize;
+
+    /// Component by component.
+    fn from_fn(f: impl FnMut(usize) -> Self::T) -> Self;
+    /// The i-th component.
+    fn at(&self, i: usize) -> Self::T;
+    /// self · b.
+    fn dot(self, b: Self) -> Self::T;
+
+    /// Density of a direction uniform all around.
+    fn isotropic_density() -> Self::T;
+    /// A direction uniform all around.
+    fn isotropic<R: Words>(rng: &mut R) -> Self;
+    /// The world direction at (cos θ, sin θ) from a unit axis, azimuth drawn where there is one.
+    fn around<R: Words>(self, at: CosSin<Self::T>, rng: &mut R) -> Self;
+
+    /// Density of light reflected by a white diffuse surface, f·cos θ: cos θ/π or cos θ/2.
+    fn diffuse_density(cos: Self::T) -> Self::T;
+    /// (cos θ, sin θ, 1/density) of a direction towards a sphere seen under sin² of its half angle = `s2`:
+    /// by solid angle in space, by the sine in flatland, which needs no arcsine.
+    fn cone<R: Words>(s2: Self::T, rng: &mut R) -> (CosSin<Self::T>, Self::T);
+    /// Density of [`cone`](Vector::cone) at cos θ.
+    fn cone_density(s2: Self::T, cos: Self::T) -> Self::T;
+
+    /// self + b.
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        Self::from_fn(|i| self.at(i) + b.at(i))
+    }
+    /// self − b.
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        Self::from_fn(|i| self.at(i) - b.at(i))
+    }
+    /// self · k.
+    #[inline(always)]
+    fn scale(self, k: Self::T) -> Self {
+        Self::from_fn(|i| self.at(i) * k)
+    }
+    /// self + d·k.
+    #[inline(always)]
+    fn along(self, d: Self, k: Self::T) -> Self {
+        Self::from_fn(|i| self.at(i) + d.at(i) * k)
+    }
+    /// self/|self|.
+    #[inline(always)]
+    fn unit(self) -> Self {
+        self.scale(one::<Self::T>() / self.dot(self).root())
+    }
+    /// The height of a direction, which skies are graded by.
+    #[inline(always)]
+    fn up(self) -> Self::T {
+        self.at(1)
+    }
+    /// (cos, sin) of the angle of the unit vector `d` from the unit vector `self`, 0 ≤ sin.
+    #[inline(always)]
+    fn angle_to(self, d: Self) -> CosSin<Self::T> {
+        let cos = self.dot(d);
+        let across = d.along(self, -cos);
+        CosSin {
+            cos,
+            sin: across.dot(across).root(),
+        }
+    }
+}
+
+impl<T: Number> Vector for [T; 3] {
+    type T = T;
+    type Law = AnySpatial<T>;
+    const DIM: usize = 3;
+
+    #[inline(always)]
+    fn from_fn(f: impl FnMut(usize) -> T) -> Self {
+        core::array::from_fn(f)
+    }
+    #[inline(always)]
+    fn at(&self, i: usize) -> T {
+        self[i]
+    }
+    #[inline(always)]
+    fn dot(self, b: Self) -> T {
+        self[0] * b[0] + self[1] * b[1] + self[2] * b[2]
+    }
+    #[inline(always)]
+    fn isotropic_density() -> T {
+        T::QUARTER / T::PI
+    }
+    /// cos θ = 1 − 2u and sin θ = 2√(u(1−u)), both exact at both poles.
+    #[inline(always)]
+    fn isotropic<R: Words>(rng: &mut R) -> Self {
+        let u = T::tails(rng);
+        let azimuth = T::azimuth(rng);
+        let sin = T::int(2) * (u.lower() * u.upper()).root();
+        [sin * azimuth.cos, u.upper() - u.lower(), sin * azimuth.sin]
+    }
+    #[inline(always)]
+    fn around<R: Words>(self, at: CosSin<T>, rng: &mut R) -> Self {
+        let azimuth = T::azimuth(rng);
+        Frame::from_unit(self).to_world([at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin])
+    }
+    #[inline(always)]
+    fn diffuse_density(cos: T) -> T {
+        Lambert.density(CosSin { cos, sin: T::ZERO })
+    }
+    #[inline(always)]
+    fn cone<R: Words>(s2: T, rng: &mut R) -> (CosSin<T>, T) {
+        let height = cap(s2);
+        // 1 − cos θ, from which the sine of a narrow cone keeps its digits.
+        let depth = T::tails(rng).lower() * height;
+        let at = CosSin {
+            cos: T::ONE - depth,
+            sin: (depth * (T::int(2) - depth)).root(),
+        };
+        (at, T::int(2) * T::PI * height)
+    }
+    #[inline(always)]
+    fn cone_density(s2: T, _: T) -> T {
+        T::ONE / (T::int(2) * T::PI * cap(s2))
+    }
+}
+
+/// 1 − cos α from sin²α, without cancellation.
+#[inline(always)]
+fn cap<T: Number>(s2: T) -> T {
+    s2 / (T::ONE + (T::ONE - s2).root())
+}
+
+impl<T: Number> Vector for [T; 2] {
+    type T = T;
+    type Law = AnyPlanar;
+    const DIM: usize = 2;
+
+    #[inline(always)]
+    fn from_fn(f: impl FnMut(usize) -> T) -> Self {
+        core::array::from_fn(f)
+    }
+    #[inline(always)]
+    fn at(&self, i: usize) -> T {
+        self[i]
+    }
+    #[inline(always)]
+    fn dot(self, b: Self) -> T {
+        self[0] * b[0] + self[1] * b[1]
+    }
+    #[inline(always)]
+    fn isotropic_density() -> T {
+        T::HALF / T::PI
+    }
+    #[inline(always)]
+    fn isotropic<R: Words>(rng: &mut R) -> Self {
+        let turn = T::azimuth(rng);
+        [turn.cos, turn.sin]
+    }
+    #[inline(always)]
+    fn around<R: Words>(self, at: CosSin<T>, _: &mut R) -> Self {
+        let [x, y] = self;
+        [x * at.cos + y * at.sin, y * at.cos - x * at.sin]
+    }
+    #[inline(always)]
+    fn diffuse_density(cos: T) -> T {
+        CircleShell.density(CosSin { cos, sin: T::ZERO })
+    }
+    /// sin θ = s(2u − 1): the flat Lambert law, of which the circle covers the middle.
+    #[inline(always)]
+    fn cone<R: Words>(s2: T, rng: &mut R) -> (CosSin<T>, T) {
+        let s = s2.root();
+        let u = T::tails(rng);
+        let sin = s * (u.lower() - u.upper());
+        let cos = (T::ONE - sin * sin).root();
+        (CosSin { cos, sin }, T::int(2) * s / cos)
+    }
+    #[inline(always)]
+    fn cone_density(s2: T, cos: T) -> T {
+        cos / (T::int(2) * s2.root())
+    }
+}
+
+/// a · b, colour by colour.
+#[inline(always)]
+pub(crate) fn tint<T: Number>(a: Rgb<T>, b: Rgb<T>) -> Rgb<T> {
+    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
+}
+
+/// a · k.
+#[inline(always)]
+pub(crate) fn dim<T: Number>(a: Rgb<T>, k: T) -> Rgb<T> {
+    a.map(|x| x * k)
+}
+
+/// a + b.
+#[inline(always)]
+pub(crate) fn plus<T: Number>(a: Rgb<T>, b: Rgb<T>) -> Rgb<T> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}

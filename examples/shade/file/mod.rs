@@ -1,0 +1,37 @@
+//! Scene files: TOML, checked whole before anything is rendered.
+
+mod build;
+mod check;
+mod error;
+mod raw;
+
+pub(crate) use build::{World, scene};
+pub(crate) use error::Error;
+pub(crate) use raw::{LawName, Raw};
+
+/// Most pixels along a side.
+pub(crate) const SIDE: i64 = 4096;
+/// Most samples of a pixel.
+pub(crate) const SAMPLES: i64 = 1 << 20;
+/// Most scatterings of a path.
+pub(crate) const BOUNCES: i64 = 64;
+/// Longest file, in bytes: a hundred times the longest sensible one.
+pub(crate) const BYTES: usize = 1 << 18;
+/// Largest size of a coordinate, radius, radiance or coefficient, and the least above 0.
+pub(crate) const LARGEST: f64 = 1e6;
+pub(crate) const LEAST: f64 = 1e-6;
+
+/// A scene file's text, read and checked; `name` is for the messages.
+pub(crate) fn parse(name: &str, text: &str) -> Result<Raw, Error> {
+    if text.len() > BYTES {
+        return Err(Error::new(
+            name,
+            text,
+            0..0,
+            format!("{} bytes; expected at most {BYTES}", text.len()),
+        ));
+    }
+    let raw: Raw = toml::from_str(text).map_err(|e| Error::of_toml(name, text, &e))?;
+    check::check(&raw).map_err(|(span, what)| Error::new(name, text, span, what))?;
+    Ok(raw)
+}

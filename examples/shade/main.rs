@@ -1,0 +1,33 @@
+//! A path tracer on `coslobe` that simulates only the effects that its scene calls for.
+//!
+//! ```text
+//! cargo run --release --example shade -- examples/shade/scenes/all.toml -o all.png
+//! ```
+
+mod args;
+mod cells;
+#[path = "../accuracy_cost/count.rs"]
+mod count;
+mod file;
+mod hand;
+mod image;
+mod job;
+mod plan;
+mod render;
+mod sets;
+mod table;
+mod tiles;
+
+use args::Args;
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match job::run(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("shade: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}
