@@ -96,6 +96,11 @@ fn samples() {
 }
 
 #[test]
+fn scene() {
+    replay("scene", checks::scene::check);
+}
+
+#[test]
 fn warps() {
     replay("warps", checks::warps::check);
 }

@@ -12,6 +12,7 @@ pub mod frames;
 pub mod points;
 pub mod quantiles;
 pub mod samples;
+pub mod scene;
 pub mod warps;
 pub mod weights;
 
