@@ -32,9 +32,8 @@
 //! | `CosPower`, k ≤ 7.25 | 2.5 | 2 | | 1.01 · 2⁻¹⁶ | 1.01 · 2⁻¹⁶ | 6 | 2 |
 //! | `CosPower`, k < 65536 | 2.5 | 2 | | 30 · 2⁻¹⁶ | 1.5 · 2⁻¹⁶ | 180 | 2 |
 //!
-//! These are the bounds that `tests/fixed.rs` asserts, and what 7·10⁷ words a cell (10⁵ for `CosPower`) and the corners gave. Results are
-//! correct to the unit, not rounded to nearest; what `warp` and `quantile` return is monotone to their errors. `unwarp` and
-//! `density` are judged at a pair rounded to its format.
+//! `tests/fixed.rs` asserts these bounds; 7·10⁷ words a cell (10⁵ for `CosPower`) and the corners lie within them. `unwarp`
+//! and `density` are judged at a pair rounded to its format.
 //!
 //! # Words of randomness
 //!
