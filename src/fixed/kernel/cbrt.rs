@@ -1,4 +1,4 @@
-//! Cube roots.
+//! Cube roots. Error in units of 2⁻³¹, exhaustive: 0.9206 (worst word 0x3d480ef7).
 
 use super::mul::mul_high;
 use super::normal::normal;
