@@ -11,6 +11,9 @@ const FRAME: (f64, f64, f64, f64) = (62.0, 36.0, 438.0, 318.0);
 /// log₂ of the errors shown; what is beyond stands at the edge.
 const ERRORS: (f64, f64) = (-60.0, 9.0);
 
+/// Decades of instructions from which on fewer of them are labelled.
+const CROWDED: f64 = 1.8;
+
 /// A contender in a panel.
 pub(crate) struct Point<'a> {
     pub(crate) instructions: f64,
@@ -62,8 +65,13 @@ pub(crate) fn draw(area: &Area, points: &[Point]) -> Drawn {
         ends(f64::min, f64::INFINITY) - 0.1,
         ends(f64::max, 0.0) + 0.1,
     );
-    let ticks: Vec<f64> = (0..5)
-        .flat_map(|e| [1.0, 1.5, 2.0, 3.0, 5.0, 7.0].map(|m| m * 10f64.powi(e)))
+    let steps: &[f64] = if most - least > CROWDED {
+        &[1.0, 2.0, 5.0]
+    } else {
+        &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0]
+    };
+    let ticks: Vec<f64> = (0..6)
+        .flat_map(|e| steps.iter().map(move |m| m * 10f64.powi(e)))
         .map(f64::log10)
         .filter(|n| (least..most).contains(n))
         .collect();

@@ -77,7 +77,11 @@ pub(crate) fn parse(text: &str) -> Result<Vec<Counted>, String> {
         let counted = operation(line, scale).map_err(|e| format!("line {}: {e}", i + 1))?;
         all.push(counted);
     }
-    Err("the output ends early; expected a line `done`".to_owned())
+    let last = text.lines().last().unwrap_or_default();
+    Err(format!(
+        "the output ends early, after {} operations with {last:?}; expected a line `done`",
+        all.len()
+    ))
 }
 
 fn scale(line: &str) -> Option<Scale> {
