@@ -1,7 +1,6 @@
 //! Fog by Beer and Lambert.
 
 use crate::stage::{agrees, camera, diffuse, grey, is_exactly, level, material, shoot, sphere};
-use coslobe::{CircleShell, Lambert};
 use shade_core::effect::{Sky, Sun};
 use shade_core::{AnyPlanar, AnySpatial, Material, Number, Pixel, Scene, Vector};
 
@@ -20,7 +19,7 @@ fn behind_fog<T: Number>(absorption: f64, scattering: f64, bounces: u16) -> Pixe
     scene.fog.absorption = grey(absorption);
     scene.fog.scattering = T::from_f64(scattering);
     scene.bounces = bounces;
-    shoot(&scene, &Lambert, 1 << 14)
+    shoot(&scene, &AnySpatial::Lambert, 1 << 14)
 }
 
 const CHORD: f64 = 2.4;
@@ -79,7 +78,7 @@ fn sun_through_fog() {
         };
         scene.fog.region = sphere(&[0.0; 3], 2.0, 0);
         scene.fog.absorption = grey(0.25 * factor);
-        shoot(&scene, &Lambert, 4)
+        shoot(&scene, &AnySpatial::Lambert, 4)
     };
     let want = 0.5 * 3.0 / std::f64::consts::PI * (-0.25f64 * 4.0).exp();
     assert_eq!(is_exactly(&seen(1.0), want), Ok(()));
@@ -98,7 +97,7 @@ fn single_scattering_of_the_sun() {
         };
         scene.fog.region = sphere(&[0.0; 3], 1.0, 0);
         scene.fog.scattering = sigma;
-        shoot(&scene, &Lambert, 1 << 15)
+        shoot(&scene, &AnySpatial::Lambert, 1 << 15)
     };
     let want = |sigma: f64| 3.0 * (1.0 - (-4.0 * sigma).exp()) / (8.0 * std::f64::consts::PI);
     assert_eq!(agrees(&seen(0.4), want(0.4)), Ok(()));
@@ -123,7 +122,6 @@ fn fog_in_the_furnace() {
         let less = shoot(&scene, &law, 1 << 10).mean()[0];
         assert!(less < 1.0 && less > 0.5);
     }
-    check::<[f64; 3]>(Lambert);
-    check::<[f64; 2]>(CircleShell);
-    let _: AnyPlanar = AnyPlanar::CircleShell;
+    check::<[f64; 3]>(AnySpatial::Lambert);
+    check::<[f64; 2]>(AnyPlanar::CircleShell);
 }

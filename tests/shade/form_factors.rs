@@ -2,7 +2,6 @@
 
 use crate::mutants::{Askew, Plain, Spoiled};
 use crate::stage::{agrees, camera, diffuse, lamp, level, material, shoot};
-use coslobe::{CircleShell, Lambert};
 use shade_core::effect::Combine;
 use shade_core::{AnyPlanar, AnySpatial, Sampling, Scene, Vector};
 use std::f64::consts::PI;
@@ -44,7 +43,7 @@ fn space<V: Vector<T = f64>>(
 fn sphere_over_plane() {
     for combine in STRATEGIES {
         assert_eq!(
-            space::<[f64; 3]>(AnySpatial::Lambert, &Lambert, combine),
+            space::<[f64; 3]>(AnySpatial::Lambert, &AnySpatial::Lambert, combine),
             Ok(())
         );
         assert_eq!(space(AnySpatial::Lambert, &Spoiled::Sound, combine), Ok(()));
@@ -86,7 +85,7 @@ fn circle_seen_by_a_probe() {
         scene.lamps.push(lamp(&[0.3, 1.6], 1.2, 3.0)).expect("room");
         scene.combine = combine;
         let alpha = (1.2f64 / 2.0).asin();
-        let pixel = shoot(&scene, &CircleShell, 1 << 15);
+        let pixel = shoot(&scene, &AnyPlanar::CircleShell, 1 << 15);
         assert_eq!(agrees(&pixel, 3.0 * alpha / PI), Ok(()));
         assert!(
             agrees(&pixel, 3.0 * 0.6 / PI).is_err(),
@@ -115,7 +114,7 @@ fn lamp_in_a_hollow_circle() {
         let b = a * l * f / (1.0 - a * (1.0 - f));
         // The probe at distance 1 sees the lamp under asin(½) to each side, and else the wall.
         let share = (0.5f64).asin() / PI;
-        let pixel = shoot(&scene, &CircleShell, 1 << 13);
+        let pixel = shoot(&scene, &AnyPlanar::CircleShell, 1 << 13);
         assert_eq!(agrees(&pixel, l * share + b * (1.0 - share)), Ok(()));
         let without_cos = a * l * 2.0 * (r / wide).asin() / PI;
         assert!(agrees(&pixel, l * share + without_cos * (1.0 - share)).is_err());

@@ -4,7 +4,7 @@
 #[allow(dead_code)]
 #[path = "../../examples/shade/cells.rs"]
 mod cells;
-#[allow(dead_code)]
+#[allow(dead_code, unused_imports)]
 #[path = "../../examples/shade/file/mod.rs"]
 mod file;
 #[path = "../../examples/shade/hand/mod.rs"]
@@ -18,6 +18,7 @@ mod effects;
 mod fog;
 mod form_factors;
 mod furnace;
+mod golden;
 mod mutants;
 mod shadows;
 mod stage;

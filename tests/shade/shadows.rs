@@ -2,7 +2,6 @@
 
 use crate::mutants::{Askew, Plain};
 use crate::stage::{agrees, camera, diffuse, grey, is_exactly, lamp, level, material, shoot};
-use coslobe::Lambert;
 use shade_core::effect::{Combine, Sun};
 use shade_core::{AnySpatial, Sampling, Scene, Vector};
 
@@ -48,7 +47,13 @@ fn umbra_half_and_quarter() {
     for (low, high, lit) in shapes {
         for combine in [Combine::Balance, Combine::Light, Combine::Scatter] {
             assert_eq!(
-                under::<[f64; 3]>(AnySpatial::Lambert, &Lambert, combine, low, high),
+                under::<[f64; 3]>(
+                    AnySpatial::Lambert,
+                    &AnySpatial::Lambert,
+                    combine,
+                    low,
+                    high
+                ),
                 Ok(lit)
             );
         }
@@ -79,7 +84,7 @@ fn penumbra_of_an_edge() {
             .lamps
             .push(lamp(&[0.0, 1000.0, 0.0], 10.0, 1e4))
             .expect("room");
-        shoot(&scene, &Lambert, 1 << 16)
+        shoot(&scene, &AnySpatial::Lambert, 1 << 16)
     };
     for s in [-0.8, -0.3, 0.0, 0.4, 0.9f64] {
         let dark = (s.acos() - s * (1.0 - s * s).sqrt()) / std::f64::consts::PI;
@@ -106,7 +111,7 @@ fn the_sun_is_hard() {
             towards: [0.6, 0.8, 0.0],
             irradiance: grey(irradiance),
         };
-        shoot(&scene, &Lambert, 2)
+        shoot(&scene, &AnySpatial::Lambert, 2)
     };
     // The shadow's edge at height 1 is at x = ¾.
     assert_eq!(

@@ -22,8 +22,8 @@ impl<T: Number> Pixel<T> {
         if self.count == 0 {
             self.first = sample;
         }
-        for c in 0..3 {
-            let d = sample[c] - self.first[c];
+        for (c, &x) in sample.iter().enumerate() {
+            let d = x - self.first[c];
             self.sum[c] = self.sum[c] + d;
             self.squares[c] = self.squares[c] + d * d;
         }

@@ -1,5 +1,6 @@
 #![no_std]
 #![forbid(unsafe_code)]
+#![allow(clippy::neg_cmp_op_on_partial_ord)] // NaN goes the same way as what fails
 //! A path tracer that simulates only the effects that its scene calls for.
 //!
 //! One integrator ([`radiance`]) serves space and flatland and every number type of `coslobe`: both are
