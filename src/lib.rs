@@ -68,6 +68,8 @@
 
 pub mod accuracy;
 mod cos_sin;
+#[cfg(feature = "fixed")]
+pub mod fixed;
 mod frame;
 pub mod integration;
 mod kernel;
@@ -80,6 +82,8 @@ pub mod uniform;
 mod weight;
 
 pub use cos_sin::CosSin;
+#[cfg(feature = "fixed")]
+pub use fixed::Fixed;
 pub use frame::{Frame, NormalError};
 pub use law::{
     Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Planar, Spatial,

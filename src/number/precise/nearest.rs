@@ -88,7 +88,7 @@ mod tests {
                 let want = ((hi * power_of_two(n)) as f32).to_bits();
                 assert_eq!(
                     f32::GRID.nearest(Pair::exact(hi), n),
-                    want.into(),
+                    u64::from(want),
                     "{hi:e} {n}"
                 );
             }

@@ -1,0 +1,96 @@
+//! The hashes of `hashes.txt` on this machine, whatever it is: unoptimised with overflow checks, or
+//! big-endian under Miri (`cargo +nightly miri test --target s390x-unknown-linux-gnu`).
+//!
+//! `COSLOBE_LAST` at compile time says up to which count.
+
+use coslobe::{Fast, Precise};
+use coslobe_work::{Answer, Integers, Laws, Stream, answer};
+
+const EXPECTED: &str = include_str!("../../hashes.txt");
+
+fn last() -> u32 {
+    option_env!("COSLOBE_LAST").map_or(64, |last| last.parse().expect("COSLOBE_LAST is a count"))
+}
+
+fn hashes_in<T: Laws>() {
+    for stream in Stream::ALL {
+        let mut found = String::new();
+        let last = last().to_string();
+        let request = ["all", stream.name(), "checkpoints", &last];
+        assert_eq!(
+            answer::<T>(request.into_iter(), &mut found),
+            Ok(Answer::Done)
+        );
+        assert!(!found.is_empty(), "no checkpoint up to {last}");
+        for line in found.lines() {
+            // Law, type, stream and count are in the line.
+            assert!(EXPECTED.lines().any(|l| l == line), "not expected: {line}");
+        }
+    }
+}
+
+#[test]
+fn f32_hashes() {
+    hashes_in::<f32>();
+}
+
+#[test]
+fn f64_hashes() {
+    hashes_in::<f64>();
+}
+
+#[test]
+fn fast_f32_hashes() {
+    hashes_in::<Fast<f32>>();
+}
+
+#[test]
+fn precise_f32_hashes() {
+    hashes_in::<Precise<f32>>();
+}
+
+#[test]
+fn precise_f64_hashes() {
+    hashes_in::<Precise<f64>>();
+}
+
+#[test]
+fn fixed_hashes() {
+    hashes_in::<Integers>();
+}
+
+/// One changed result changes the hash, wherever it is; so do two changed signs.
+#[test]
+fn no_change_cancels() {
+    use coslobe_work::Hash;
+    // Miri takes a minute for 5000 pairs.
+    const STEPS: usize = if cfg!(miri) { 10 } else { 100 };
+    let of = |flips: &[usize]| {
+        let mut hash = Hash::default();
+        (0..STEPS).for_each(|i| hash.add(u64::from(flips.contains(&i)) << 63));
+        hash
+    };
+    for i in 0..STEPS {
+        assert_ne!(of(&[]), of(&[i]));
+        for j in 0..i {
+            assert_ne!(of(&[]), of(&[i, j]));
+        }
+    }
+}
+
+#[test]
+fn requests_that_make_no_sense_are_told_so() {
+    for bad in [
+        &["all", "sample", "checkpoints", "64"][..],
+        &["all", "samples", "checkpoints"],
+        &["all", "samples", "checkpoints", "-1"],
+        &["all", "values", "blocks", "0", "64"],
+        &["all", "values", "results", "0", "1"],
+        &[],
+    ] {
+        let mut text = String::new();
+        let answered = answer::<f32>(bad.iter().copied(), &mut text);
+        assert_eq!(answered, Ok(Answer::NotUnderstood), "{bad:?}");
+        assert!(text.contains("expected"), "{bad:?}");
+    }
+}

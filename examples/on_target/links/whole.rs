@@ -1,0 +1,122 @@
+//! Images of every operation: no panic, no allocation, no static RAM, no soft double; no float at all
+//! in fixed point.
+
+use super::elf::Image;
+use super::image::build;
+use super::{Shown, caught, ensure, symbols, thumb};
+use crate::boards::Board;
+use crate::failure::Result;
+use indicatif::ProgressBar;
+
+/// Images that [`show`] builds.
+pub(super) const IMAGES: u64 = 8;
+
+/// Every operation in the types that compute in `f32` alone.
+const SINGLE: &str = "everything::<f32>(x, rng) + everything::<Fast<f32>>(x, rng)";
+/// Every operation in the types that compute in `f64`.
+const DOUBLE: &str = "everything::<f64>(x, rng) + everything::<Precise<f32>>(x, rng) \
+                      + everything::<Precise<f64>>(x, rng)";
+/// Every operation in fixed point.
+const FIXED: &str = "fixed_everything(x, rng)";
+/// What is planted, beside little else.
+const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";
+const LITTLE_FIXED: &str = "fixed_sampler(Lambert, rng)";
+
+pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
+    let built = |calls: &str, planted: Option<&str>| {
+        let image = build(board, calls, planted).map(|(_, image)| image);
+        bar.inc(1);
+        image
+    };
+    let float = if board.name == "M4F" {
+        "FPU instructions"
+    } else {
+        "soft float"
+    };
+    let planted = |feature: &str, check: fn(&Image) -> Result<()>, reason: &str| {
+        let beside = if feature == "plant-float" {
+            LITTLE_FIXED
+        } else {
+            LITTLE
+        };
+        let outcome = built(beside, Some(feature)).and_then(|image| check(&image));
+        (format!("{feature} is caught"), caught(outcome, reason))
+    };
+    vec![
+        (
+            "f32 and Fast<f32>: no panic, allocation, static RAM or soft double".to_owned(),
+            built(SINGLE, None).and_then(|image| {
+                complete(&image)?;
+                no_ram(&image)?;
+                no_double(&image)
+            }),
+        ),
+        (
+            "f64 and Precise: no panic, allocation or static RAM; soft double is seen".to_owned(),
+            built(DOUBLE, None).and_then(|image| {
+                complete(&image)?;
+                no_ram(&image)?;
+                caught(no_double(&image), "soft double")
+            }),
+        ),
+        (
+            "Fixed: no panic, allocation or static RAM, and no float at all".to_owned(),
+            built(FIXED, None).and_then(|image| {
+                complete(&image)?;
+                no_ram(&image)?;
+                no_float(&image)
+            }),
+        ),
+        planted(
+            "plant-panic",
+            complete,
+            "undefined symbol: a_panic_is_reachable",
+        ),
+        planted(
+            "plant-allocation",
+            complete,
+            "undefined symbol: an_allocation_is_reachable",
+        ),
+        planted("plant-ram", no_ram, "static RAM"),
+        planted("plant-double", no_double, "soft double"),
+        planted("plant-float", no_float, float),
+    ]
+}
+
+/// It has its entry, so the linker has not dropped what the proof is about.
+fn complete(image: &Image) -> Result<()> {
+    let entry = image.symbols().iter().any(|s| s == "_start");
+    ensure(entry && !image.code().is_empty(), || {
+        "no entry _start, or no code".to_owned()
+    })
+}
+
+fn no_ram(image: &Image) -> Result<()> {
+    let bytes = image.static_ram();
+    ensure(bytes == 0, || format!("{bytes} bytes of static RAM"))
+}
+
+fn no_double(image: &Image) -> Result<()> {
+    none(image, "soft double", symbols::is_double)
+}
+
+fn none(image: &Image, what: &str, is: fn(&str) -> bool) -> Result<()> {
+    let names: Vec<_> = image.symbols().into_iter().filter(|s| is(s)).collect();
+    ensure(names.is_empty(), || {
+        format!("{what} routines: {}", names.join(", "))
+    })
+}
+
+/// No arithmetic on floats at all: neither routines nor instructions.
+fn no_float(image: &Image) -> Result<()> {
+    none(image, "soft double", symbols::is_double)?;
+    none(image, "soft float", symbols::is_single)?;
+    let found = thumb::fpu_instructions(image);
+    ensure(found.is_empty(), || {
+        format!(
+            "{} FPU instructions, the first at {:#x}",
+            found.len(),
+            found[0]
+        )
+    })
+}

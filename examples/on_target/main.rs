@@ -1,0 +1,41 @@
+//! Builds the firmware under `examples/firmware`, runs it on emulated boards and compares what it computes
+//! with this machine, bit by bit; shows of release images what is not linked into them.
+//!
+//! ```text
+//! cargo run --release --example on_target -- run             # every law × type on every board
+//! cargo run --release --example on_target -- hashes          # samples and evaluations: the first thousands
+//! cargo run --release --example on_target -- hashes --full   # all of them: hours
+//! cargo run --release --example on_target -- hashes --bless  # writes the expected hashes
+//! cargo run --release --example on_target -- links           # proofs at link time
+//! ```
+//!
+//! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is
+//! printed as `SKIPPED: reason`, with the number of such lines at the end.
+
+mod args;
+mod boards;
+mod build;
+mod difference;
+mod failure;
+mod hashes;
+mod host;
+mod links;
+mod qemu;
+mod report;
+mod run;
+mod start;
+mod types;
+
+use args::{Args, Task};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let mut report = report::Report::default();
+    let done = match Args::parse().task {
+        Task::Run => run::run(&mut report),
+        Task::Hashes(options) => hashes::run(&options, &mut report),
+        Task::Links => links::run(&mut report),
+    };
+    report.finish(done)
+}

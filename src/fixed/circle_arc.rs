@@ -1,0 +1,72 @@
+//! [`CircleArc`]: θ uniform.
+
+use super::kernel::turn::quarter;
+use super::law::{Tails, Words};
+use super::{planar, words};
+use crate::{CircleArc, CosSin};
+use ::fixed::types::{I1F31, U0F32};
+use rand_core::Rng;
+
+/// 1/π in Q32.
+const RECIP_PI: u32 = 1367130551;
+
+/// The tails at |θ|: linear in it.
+#[inline(always)]
+fn tails(magnitude: u32, sign: i32) -> Tails {
+    planar::tails((1 << 31) - (magnitude << 1), sign)
+}
+
+impl Words for CircleArc {
+    type Density = U0F32;
+    type Direction = [I1F31; 2];
+
+    #[inline]
+    fn pair(self, p: Tails) -> CosSin<i32> {
+        let (p, sign) = planar::nearer(p);
+        // 2p quarter turns from the end.
+        let from_end = if p >> 31 == 0 { p << 1 } else { u32::MAX };
+        let (sin, cos) = quarter(from_end); // from the end they change places
+        planar::pair(cos, sin, sign)
+    }
+
+    #[inline]
+    fn turn(self, p: Tails) -> i32 {
+        let (p, sign) = planar::nearer(p);
+        let turn = (1 << 30) - (p.min(1 << 31) >> 1) as i32;
+        if sign == 0 { turn } else { -turn }
+    }
+
+    #[inline]
+    fn tails(self, at: CosSin<i32>) -> Tails {
+        match planar::above(at) {
+            Ok(at) => tails(planar::turn(at), at.sin),
+            Err(outside) => outside,
+        }
+    }
+
+    #[inline]
+    fn tails_at(self, turn: i32) -> Tails {
+        match planar::magnitude(turn) {
+            Ok(magnitude) => tails(magnitude, turn),
+            Err(outside) => outside,
+        }
+    }
+
+    #[inline]
+    fn density(self, at: CosSin<i32>) -> U0F32 {
+        U0F32::from_bits(if at.cos < 0 { 0 } else { RECIP_PI })
+    }
+
+    #[inline]
+    fn pdf(self, turn: i32) -> U0F32 {
+        planar::pdf(turn, |_| RECIP_PI)
+    }
+
+    /// One word: its lowest bit is the sign, all of it with that bit set |θ| in quarter turns.
+    #[inline]
+    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 2] {
+        let word = rng.next_u32();
+        let (cos, sin) = quarter(word | 1);
+        words::planar(cos, sin, word << 31)
+    }
+}

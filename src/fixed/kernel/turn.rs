@@ -1,0 +1,42 @@
+//! Angles in turns to (cos, sin).
+
+use super::mul::mul_high;
+use super::sqrt::halve;
+use super::table::{TURN_COS, TURN_SIN};
+
+/// Largest magnitude of a component: 1 less one unit of Q31.
+pub(crate) const ONE: u32 = i32::MAX as u32;
+
+/// (cos, sin) in Q31 of x quarter turns, x in Q32; 1 is 2³¹.
+///
+/// Folded at an eighth, where the two change places: both polynomials stay short.
+#[inline(always)]
+pub(crate) fn quarter(x: u32) -> (u32, u32) {
+    let past = ((x as i32) >> 31) as u32;
+    let x = (x ^ past).wrapping_sub(past);
+    // An exact eighth is 2³²: taken as one unit less.
+    let y = (x << 1).wrapping_sub(x >> 31);
+    let square = mul_high(y, y);
+    let cos = (1 << 31) - halve(mul_high(square, TURN_COS.at(square)));
+    let sin = halve(mul_high(y, TURN_SIN.at(square)));
+    let swap = (cos ^ sin) & past;
+    (cos ^ swap, sin ^ swap)
+}
+
+/// `magnitude` with the sign of `sign`'s top bit, 1 saturated.
+#[inline(always)]
+pub(crate) fn signed(magnitude: u32, sign: u32) -> i32 {
+    let mask = (sign as i32) >> 31;
+    ((magnitude - (magnitude >> 31)) as i32 ^ mask) - mask
+}
+
+/// (cos, sin) in Q31 of `phase`·2⁻³² turns; ±1 saturate to ±(1 − 2⁻³¹).
+#[inline(always)]
+pub(crate) fn cos_sin(phase: u32) -> (i32, i32) {
+    let (cos, sin) = quarter(phase << 2);
+    let swap = (cos ^ sin) & (((phase << 1) as i32) >> 31) as u32;
+    (
+        signed(cos ^ swap, phase ^ (phase << 1)),
+        signed(sin ^ swap, phase),
+    )
+}

@@ -1,0 +1,63 @@
+//! What each law computes in words, behind [`Fixed`](super::Fixed).
+
+use crate::CosSin;
+use rand_core::Rng;
+
+/// A probability by both tails in Q32; 1 saturates to 1 − 2⁻³².
+#[derive(Clone, Copy)]
+pub struct Tails {
+    pub(crate) lower: u32,
+    pub(crate) upper: u32,
+}
+
+impl Tails {
+    #[inline(always)]
+    pub(crate) fn from_lower(lower: u32) -> Self {
+        let upper = (!lower).saturating_add(1);
+        Tails { lower, upper }
+    }
+
+    #[inline(always)]
+    pub(crate) fn swapped(self) -> Self {
+        Tails {
+            lower: self.upper,
+            upper: self.lower,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn from_upper(upper: u32) -> Self {
+        Tails::from_lower(upper).swapped()
+    }
+
+    /// Below and above the whole support.
+    pub(crate) const BELOW: Tails = Tails {
+        lower: 0,
+        upper: u32::MAX,
+    };
+    pub(crate) const ABOVE: Tails = Tails {
+        lower: u32::MAX,
+        upper: 0,
+    };
+}
+
+/// A law in integers: cosines and sines in Q31, turns in Q32. Sealed.
+pub trait Words: Copy {
+    /// The format of its densities.
+    type Density: Copy;
+    /// What [`Fixed::sample`](super::Fixed::sample) returns.
+    type Direction;
+
+    fn pair(self, p: Tails) -> CosSin<i32>;
+    fn turn(self, p: Tails) -> i32;
+    fn tails(self, at: CosSin<i32>) -> Tails;
+    fn tails_at(self, turn: i32) -> Tails;
+    fn density(self, at: CosSin<i32>) -> Self::Density;
+    fn pdf(self, turn: i32) -> Self::Density;
+    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> Self::Direction;
+}
+
+/// The laws that [`Fixed`](super::Fixed) knows. Sealed.
+pub trait FixedLaw: Words {}
+
+impl<L: Words> FixedLaw for L {}

@@ -1,0 +1,82 @@
+//! What the laws in the plane share: θ from −¼ to ¼ turn, symmetric about 0.
+
+use super::kernel::angle::first_quadrant;
+use super::kernel::turn::{cos_sin, signed};
+use super::law::Tails;
+use super::spatial::QUARTER;
+use crate::CosSin;
+use ::fixed::types::U0F32;
+
+/// The nearer tail and a word whose top bit is the sign of θ.
+#[inline(always)]
+pub(crate) fn nearer(p: Tails) -> (u32, u32) {
+    if p.lower < p.upper {
+        (p.lower, 1 << 31)
+    } else {
+        (p.upper, 0)
+    }
+}
+
+/// Both tails from the nearer one, at θ of the sign of `sign`.
+#[inline(always)]
+pub(crate) fn tails(nearer: u32, sign: i32) -> Tails {
+    if sign < 0 {
+        Tails::from_lower(nearer)
+    } else {
+        Tails::from_upper(nearer)
+    }
+}
+
+#[inline(always)]
+pub(crate) fn pair(cos: u32, sin: u32, sign: u32) -> CosSin<i32> {
+    CosSin {
+        cos: signed(cos, 0),
+        sin: signed(sin, sign),
+    }
+}
+
+/// |θ| in turns at a pair with cos θ ≥ 0.
+#[inline(always)]
+pub(crate) fn turn(at: CosSin<i32>) -> u32 {
+    first_quadrant(at.cos as u32, at.sin.unsigned_abs())
+}
+
+/// |θ| in turns, or the tails outside the support.
+#[inline(always)]
+pub(crate) fn magnitude(turn: i32) -> Result<u32, Tails> {
+    let magnitude = turn.unsigned_abs();
+    if magnitude > QUARTER as u32 {
+        Err(tails(0, turn))
+    } else {
+        Ok(magnitude)
+    }
+}
+
+/// The pair itself where it lies in the support, the tails elsewhere.
+#[inline(always)]
+pub(crate) fn above(at: CosSin<i32>) -> Result<CosSin<i32>, Tails> {
+    if at.cos < 0 {
+        Err(tails(0, at.sin))
+    } else {
+        Ok(at)
+    }
+}
+
+/// `of` cos θ in Q32 above the horizon, at least one unit; 0 elsewhere.
+#[inline(always)]
+pub(crate) fn density(cos: i32, of: impl FnOnce(u32) -> u32) -> U0F32 {
+    U0F32::from_bits(if cos <= 0 {
+        0
+    } else {
+        of((cos as u32) << 1).max(1)
+    })
+}
+
+/// `of` cos θ inside the support, 0 outside.
+#[inline(always)]
+pub(crate) fn pdf(turn: i32, of: impl FnOnce(u32) -> u32) -> U0F32 {
+    U0F32::from_bits(match magnitude(turn) {
+        Ok(magnitude) => of((cos_sin(magnitude).0 as u32) << 1),
+        Err(_) => 0,
+    })
+}
