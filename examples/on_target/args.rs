@@ -18,6 +18,15 @@ pub(crate) enum Task {
     Hashes(Hashes),
     /// Proves of release images: no panic, allocation, static RAM, soft-double or law that is not used.
     Links,
+    /// Renders small scenes on the M4F: the host's pixels, and no code of effects that they do not call for.
+    Shade(Shade),
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct Shade {
+    /// Writes docs/shade_firmware.md instead of comparing with it.
+    #[arg(long)]
+    pub(crate) write: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -7,6 +7,7 @@
 //! cargo run --release --example on_target -- hashes --full   # all of them: hours
 //! cargo run --release --example on_target -- hashes --bless  # writes the expected hashes
 //! cargo run --release --example on_target -- links           # proofs at link time
+//! cargo run --release --example on_target -- shade           # small scenes rendered on a Cortex-M4F
 //! ```
 //!
 //! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is
@@ -23,6 +24,7 @@ mod links;
 mod qemu;
 mod report;
 mod run;
+mod shade;
 mod start;
 mod types;
 
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         Task::Run => run::run(&mut report),
         Task::Hashes(options) => hashes::run(&options, &mut report),
         Task::Links => links::run(&mut report),
+        Task::Shade(options) => shade::run(&options, &mut report),
     };
     report.finish(done)
 }
