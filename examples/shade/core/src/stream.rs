@@ -13,7 +13,7 @@ pub struct Place {
     pub seed: u32,
 }
 
-/// The four words of a block: PCG4D.
+/// The four words of a block: PCG4D, folded once more, since its lowest bits repeat along a counter.
 ///
 /// Source: M. Jarzynski and M. Olano, *Hash Functions for GPU Rendering*, JCGT 9(3), 2020.
 #[inline(always)]
@@ -26,7 +26,8 @@ fn block(v: [u32; 4]) -> [u32; 4] {
         let w = w.wrapping_add(y.wrapping_mul(z));
         [x, y, z, w]
     };
-    mix(mix([x, y, z, w]).map(|n| n ^ (n >> 16)))
+    let fold = |v: [u32; 4]| v.map(|n| n ^ (n >> 16));
+    fold(mix(fold(mix([x, y, z, w]))))
 }
 
 /// The words of one effect at one bounce of one sample of one pixel.
