@@ -13,7 +13,7 @@ use crate::links::scenes::{nothing, shader};
 use crate::qemu::{self, Emulation};
 use crate::report::Report;
 use crate::run::bar;
-use scenes::{Forced, Frame, Small, Visitor};
+use scenes::{Forced, Frame, SCENES, Small, Visitor};
 use shade_core::{Effect, Effects, Set};
 use std::time::Duration;
 use table::Row;
@@ -37,7 +37,7 @@ pub(crate) fn run(options: &Shade, report: &mut Report) -> Result<()> {
         board,
         empty,
         rows: Vec::new(),
-        bar: bar(9),
+        bar: bar(SCENES as u64),
         report,
     };
     scenes::each(&mut scenes);
@@ -45,7 +45,7 @@ pub(crate) fn run(options: &Shade, report: &mut Report) -> Result<()> {
     let rows = scenes.rows;
     planted(board, report);
     match rows {
-        rows if rows.len() < 9 => Ok(()), // what failed has been said
+        rows if rows.len() < SCENES => Ok(()), // what failed has been said
         rows if options.write => table::write(&rows),
         rows => table::compare(&rows, report),
     }
@@ -76,7 +76,6 @@ impl Visitor for OnBoard<'_> {
 fn scene<S: Small>(board: &Board, name: &str, empty: u64) -> Result<Row> {
     let set = S::Effects::default().set();
     let scene = S::scene();
-    // What a scene calls for has a lamp of its own or none; the forced one is not asked here.
     if scene.called_for() != set {
         return Err(Failure(format!(
             "calls for {}; its type says {}",

@@ -28,7 +28,7 @@ pub(super) fn bytes_by_function(
     })
 }
 
-/// Bytes of code by what `name` makes of a frame's file and its function's mangled name.
+/// Bytes of code by what `name` makes of a frame's file and its function's name.
 fn bytes_by(
     path: &Path,
     image: &Image,
@@ -62,8 +62,12 @@ fn bytes_by(
     Ok(names)
 }
 
-/// The function itself in a mangled path: `_ZN…9scattered17h0123456789abcdefE` is `scattered`.
-fn last_part(mangled: &str) -> &str {
+/// The function itself: `scattered` of `_ZN…9scattered17h0123456789abcdefE` and of `scattered<[f32; 3], ()>`,
+/// as functions that are inlined everywhere are called.
+fn last_part(name: &str) -> &str {
+    let Some(mangled) = name.strip_prefix("_ZN") else {
+        return name.split('<').next().unwrap_or(name);
+    };
     let path = mangled.len().checked_sub("17h0123456789abcdefE".len());
     let path = path.and_then(|end| mangled.get(..end)).unwrap_or(mangled);
     let start = path
@@ -80,6 +84,7 @@ mod tests {
     fn the_function_is_told_from_its_path() {
         let scattered = "_ZN10shade_core6effect4lamp9scattered17h0123456789abcdefE";
         assert_eq!(last_part(scattered), "scattered");
+        assert_eq!(last_part("scattered<[f32; 3], f32>"), "scattered");
         assert_eq!(last_part("main"), "main");
     }
 }

@@ -36,6 +36,9 @@ pub trait Visitor {
     fn visit<S: Small>(&mut self, name: &'static str);
 }
 
+/// How many scenes there are.
+pub const SCENES: usize = 9;
+
 /// Shows every scene.
 pub fn each(visitor: &mut impl Visitor) {
     visitor.visit::<Emitter>("Emitter");
