@@ -25,6 +25,15 @@ pub(crate) enum Task {
     SelfTest,
     /// Counts instructions, flash, stack and words of every operation on every board; writes the tables and the plot.
     Cost(Cost),
+    /// Renders small scenes on the M4F: the host's pixels, and no code of effects that they do not call for.
+    Shade(Shade),
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct Shade {
+    /// Writes docs/shade_firmware.md instead of comparing with it.
+    #[arg(long)]
+    pub(crate) write: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -11,6 +11,7 @@
 //! cargo run --release --example on_target -- self-test       # the power-on check, with planted faults
 //! cargo run --release --example on_target -- cost            # instructions, flash, stack: docs/firmware_cost.*
 //! cargo run --release --example on_target -- cost --check    # a few of them twice, against the table
+//! cargo run --release --example on_target -- shade           # small scenes rendered on a Cortex-M4F
 //! ```
 //!
 //! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is
@@ -60,6 +61,7 @@ mod qemu;
 mod report;
 mod run;
 mod self_test;
+mod shade;
 mod start;
 mod types;
 
@@ -76,6 +78,7 @@ fn main() -> ExitCode {
         Task::C => c::run(&mut report),
         Task::SelfTest => self_test::run(&mut report),
         Task::Cost(options) => cost::run(&options, &mut report),
+        Task::Shade(options) => shade::run(&options, &mut report),
     };
     report.finish(done)
 }

@@ -56,6 +56,14 @@ pub(crate) enum Task {
         #[arg(long, default_value = "docs")]
         out: PathBuf,
     },
+    /// Renders a scene in every number type with the same random words: time and error, OUT.md and OUT.png.
+    Types {
+        /// The scene file (TOML), of a scene in space.
+        scene: PathBuf,
+        /// What the page and the picture are called, without their endings.
+        #[arg(short, long, default_value = "docs/shade_types")]
+        out: PathBuf,
+    },
     /// Puts the files of all shares of a frame together: the image that one machine would have made.
     Merge {
         /// The files that --tiles wrote, in any order.

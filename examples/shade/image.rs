@@ -78,21 +78,26 @@ impl Frame {
 
     /// Writes the image whole, or not at all.
     pub(crate) fn write_png(&self, path: &Path, exposure: f64) -> Result<(), String> {
-        let mut data = Vec::new();
-        let mut encoder = png::Encoder::new(&mut data, self.width.into(), self.height.into());
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-        let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
-        writer
-            .write_image_data(&self.bytes(exposure))
-            .and_then(|()| writer.finish())
-            .map_err(|e| e.to_string())?;
-        write_whole(path, &data)
+        write_png(path, self.width, self.height, &self.bytes(exposure))
     }
 }
 
+/// Writes 8-bit sRGB whole, or not at all.
+pub(crate) fn write_png(path: &Path, width: u16, height: u16, rgb: &[u8]) -> Result<(), String> {
+    let mut data = Vec::new();
+    let mut encoder = png::Encoder::new(&mut data, width.into(), height.into());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
+    writer
+        .write_image_data(rgb)
+        .and_then(|()| writer.finish())
+        .map_err(|e| e.to_string())?;
+    write_whole(path, &data)
+}
+
 /// The transfer function of sRGB, with a power whose bits do not depend on the system.
-fn encoded(x: f64) -> u8 {
+pub(crate) fn encoded(x: f64) -> u8 {
     let x = x.clamp(0.0, 1.0);
     let y = if x <= 0.003_130_8 {
         12.92 * x

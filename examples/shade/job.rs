@@ -6,7 +6,7 @@ use crate::file::{Raw, World, parse, scene};
 use crate::image::Frame;
 use crate::sets::{Compiled, Job};
 use crate::tiles::{self, Frames, digest};
-use crate::{count, plan, render, table};
+use crate::{count, plan, render, table, types};
 use coslobe::{CircleShell, Fast, Lambert, Precise};
 use indicatif::{ProgressBar, ProgressStyle};
 use shade_core::effect::Lamp;
@@ -26,6 +26,7 @@ pub(crate) fn run(args: &Args) -> Done<()> {
             Ok(())
         }
         Some(Task::Table { out }) => table::run(out),
+        Some(Task::Types { scene, out }) => types::run(&read(scene)?.1, scene, out),
         Some(Task::Merge { tiles, out }) => {
             let (of, frame) = tiles::merge(tiles)?;
             report(&frame);

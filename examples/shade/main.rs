@@ -17,6 +17,7 @@ mod render;
 mod sets;
 mod table;
 mod tiles;
+mod types;
 
 use args::Args;
 use clap::Parser;

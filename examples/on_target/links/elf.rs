@@ -38,6 +38,15 @@ impl Image {
         ram.map(|s| s.size()).sum()
     }
 
+    /// Bytes of flash: code and constants.
+    pub(super) fn flash(&self) -> u64 {
+        let file = self.file();
+        let flash = file
+            .sections()
+            .filter(|s| has(s, elf::SHF_ALLOC) && !has(s, elf::SHF_WRITE));
+        flash.map(|s| s.size()).sum()
+    }
+
     /// Sections of instructions: address and bytes.
     pub(super) fn code(&self) -> Vec<(u64, Vec<u8>)> {
         self.file()

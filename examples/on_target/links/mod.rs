@@ -3,6 +3,7 @@
 mod elf;
 mod image;
 mod laws;
+pub(crate) mod scenes;
 mod sources;
 mod symbols;
 mod thumb;
@@ -51,7 +52,7 @@ fn on_board(board: &Board, bar: &ProgressBar) -> Result<Shown> {
 }
 
 /// An outcome turned around: a planted violation has to be caught, and for its own reason.
-fn caught(outcome: Result<()>, reason: &str) -> Result<()> {
+pub(crate) fn caught(outcome: Result<()>, reason: &str) -> Result<()> {
     match outcome {
         Ok(()) => Err(Failure("the planted violation was not caught".to_owned())),
         Err(e) if e.to_string().contains(reason) => Ok(()),

@@ -84,19 +84,19 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
 }
 
 /// It has its entry, so the linker has not dropped what the proof is about.
-fn complete(image: &Image) -> Result<()> {
+pub(super) fn complete(image: &Image) -> Result<()> {
     let entry = image.symbols().iter().any(|s| s == "_start");
     ensure(entry && !image.code().is_empty(), || {
         "no entry _start, or no code".to_owned()
     })
 }
 
-fn no_ram(image: &Image) -> Result<()> {
+pub(super) fn no_ram(image: &Image) -> Result<()> {
     let bytes = image.static_ram();
     ensure(bytes == 0, || format!("{bytes} bytes of static RAM"))
 }
 
-fn no_double(image: &Image) -> Result<()> {
+pub(super) fn no_double(image: &Image) -> Result<()> {
     none(image, "soft double", symbols::is_double)
 }
 

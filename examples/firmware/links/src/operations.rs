@@ -184,3 +184,10 @@ fn point<T: Real>(law: &impl SpatialPoint<T>, rho: Radius<T>, x: T, rng: &mut Wo
     let at = law.warp(x);
     law.point_density(rho, at, x) + law.ln_point_density(rho, at, x) + law.sample_point(rho, rng)[0]
 }
+
+/// One pixel of a small scene, which lies at the address `x`: the shader without the scene's contents.
+pub(crate) fn shaded<S: scenes::Small>(x: u32, rng: &mut Words) -> u32 {
+    // SAFETY: none is needed, since the image is not meant to run.
+    let scene = unsafe { &*(x as *const shade_core::Scene<S::World>) };
+    scenes::words::<S>(scene, (rng.0 as u16, (rng.0 >> 16) as u16))
+}

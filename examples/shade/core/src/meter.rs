@@ -4,6 +4,9 @@ use crate::Effect;
 
 /// Hears of every ray and every random word.
 pub trait Meter {
+    /// Every number begins with a block of words of its own, so that types which take different counts of
+    /// words draw the same numbers.
+    const ALIGNED: bool = false;
     /// A random word was drawn for `effect`.
     #[inline(always)]
     fn word(&mut self, _effect: Effect) {}
@@ -16,6 +19,14 @@ pub trait Meter {
 }
 
 impl Meter for () {}
+
+/// Counts nothing; draws the same numbers in every number type, to their precision.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Aligned;
+
+impl Meter for Aligned {
+    const ALIGNED: bool = true;
+}
 
 /// Counts of one effect each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -28,11 +28,13 @@ pub trait Number: Real + Into<f64> {
     /// A uniform probability.
     #[inline(always)]
     fn tails<R: Words>(rng: &mut R) -> Tails<Self> {
+        rng.begin();
         uniform::tails_from_bits::<Self>(Self::tail_bits(rng))
     }
     /// A uniform azimuth.
     #[inline(always)]
     fn azimuth<R: Words>(rng: &mut R) -> CosSin<Self> {
+        rng.begin();
         uniform::azimuth_from_bits::<Self>(Self::turn_bits(rng))
     }
 }

@@ -60,6 +60,9 @@ impl<'m, M: Meter> Stream<'m, M> {
 pub trait Words {
     /// The next 32 bits.
     fn word(&mut self) -> u32;
+    /// A number is drawn from here.
+    #[inline(always)]
+    fn begin(&mut self) {}
     /// The next 64 bits, high word first.
     #[inline(always)]
     fn long(&mut self) -> u64 {
@@ -69,6 +72,13 @@ pub trait Words {
 }
 
 impl<M: Meter> Words for Stream<'_, M> {
+    #[inline(always)]
+    fn begin(&mut self) {
+        // No number takes more than a block.
+        if M::ALIGNED && self.used > 0 {
+            self.used = 4;
+        }
+    }
     #[inline(always)]
     fn word(&mut self) -> u32 {
         if self.used == 4 {

@@ -1,0 +1,36 @@
+//! The most exact type of all: what others' pictures are compared with.
+
+use crate::{Number, Words};
+use coslobe::Precise;
+
+impl Number for Precise<f64> {
+    const PI: Self = Precise(core::f64::consts::PI);
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Precise(x)
+    }
+    #[inline(always)]
+    fn from_f32(x: f32) -> Self {
+        Precise(f64::from(x))
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        Precise(libm::sqrt(self.0))
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        Precise(libm::exp(self.0))
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        Precise(libm::log(self.0))
+    }
+    #[inline(always)]
+    fn tail_bits<R: Words>(rng: &mut R) -> u128 {
+        f64::tail_bits(rng)
+    }
+    #[inline(always)]
+    fn turn_bits<R: Words>(rng: &mut R) -> u64 {
+        f64::turn_bits(rng)
+    }
+}
