@@ -1,12 +1,10 @@
 //! What TOML's types do not say: sizes, ranges, and which keys belong to which world.
 
-use super::raw::{Camera, Gloss, LawName, Material, Plate, Raw, Value, Values};
+use super::ranges::{Checked, count, light, number, whole, wrong};
+use super::raw::Raw;
+use super::worlds::World;
 use super::{BOUNCES, LARGEST, LEAST, SAMPLES, SIDE};
-use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
-
-type Wrong = (Range<usize>, String);
-type Checked = Result<(), Wrong>;
 
 /// How many of each a scene may have: the capacities of `shade_core::Scene`.
 const SPHERES: usize = 32;
@@ -14,6 +12,7 @@ const PLATES: usize = 16;
 const LAMPS: usize = 4;
 const MATERIALS: usize = 16;
 
+<<<<<<< HEAD
 fn wrong<T>(at: &Spanned<T>, what: impl Into<String>) -> Wrong {
     (at.span(), what.into())
 }
@@ -236,6 +235,8 @@ impl World {
     }
 }
 
+=======
+>>>>>>> h-shade
 /// What is wrong first, and where.
 pub(super) fn check(raw: &Raw) -> Checked {
     let world = World { flat: raw.flatland };

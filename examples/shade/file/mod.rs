@@ -3,7 +3,9 @@
 mod build;
 mod check;
 mod error;
+mod ranges;
 mod raw;
+mod worlds;
 
 pub(crate) use build::{World, scene};
 pub(crate) use error::Error;
