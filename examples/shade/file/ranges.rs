@@ -47,7 +47,7 @@ pub(super) fn components(
             format!("{key} has {have} numbers; expected {n} ({what})"),
         ));
     }
-    match x.get_ref().iter().find(|c| !range.contains(c)) {
+    match x.get_ref().iter().find(|&&c| !range.contains(&c)) {
         None => Ok(()),
         Some(c) => {
             let (low, high) = (range.start(), range.end());
