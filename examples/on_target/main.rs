@@ -42,7 +42,7 @@ mod difference;
 #[path = "../accuracy_cost/errors.rs"]
 mod errors;
 mod failure;
-#[allow(dead_code, unreachable_pub)] // shared with the tests of fixed point
+#[allow(dead_code)] // shared with the tests of fixed point
 #[path = "../../tests/fixed/reference.rs"]
 mod fixed_reference;
 mod hashes;
