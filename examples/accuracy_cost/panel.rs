@@ -35,7 +35,7 @@ fn color(ours: bool, format: &str) -> RGBColor {
 }
 
 /// The words above the panels, with their colours.
-pub(crate) fn legend<'a>(area: &Area, y: f64, notes: &[&'a str]) -> Drawn {
+pub(crate) fn legend(area: &Area, y: f64, notes: &[&str]) -> Drawn {
     let ours = [
         ("● coslobe f32", TEAL),
         ("● coslobe f64", BLUE),
