@@ -17,7 +17,6 @@
 //! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is
 //! printed as `SKIPPED: reason`, with the number of such lines at the end.
 
-#[allow(dead_code)] // shared with the tests
 #[path = "../../tests/accuracy/mod.rs"]
 mod accuracy;
 mod args;

@@ -20,7 +20,7 @@ pub(crate) fn agrees(image: &Image, section: &str, flash: u64) -> Result<()> {
          .text : {{ KEEP(*(\"{section}\")) *(.text .text.*) }}\n\
          .rodata : {{ *(.rodata .rodata.* .srodata .srodata.*) }}\n\
          .data : {{ *(.data .data.*) }}\n.bss : {{ *(.bss .bss.*) }}\n\
-         /DISCARD/ : {{ *(.ARM.exidx*) *(.ARM.extab*) *(.eh_frame*) }}\n}}\n"
+         /DISCARD/ : {{ *(.init*) *(.ARM.exidx*) *(.ARM.extab*) *(.eh_frame*) }}\n}}\n"
     );
     std::fs::write(&script, text).while_(format!("writing {}", script.display()))?;
     let linked = Command::new(&linker)
