@@ -87,6 +87,7 @@ pub(crate) fn write_png(path: &Path, width: u16, height: u16, rgb: &[u8]) -> Res
     let mut data = Vec::new();
     let mut encoder = png::Encoder::new(&mut data, width.into(), height.into());
     encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
     writer

@@ -90,12 +90,10 @@ fn shaded<T: shade_core::Number>(
     pixel(scene, Asked(set), &LAW, at, samples, meter)
 }
 
-/// Renders on this thread, with each type's own count of words.
-pub(super) fn timed<T: shade_core::Number>(scene: &Space<T>, set: Set, samples: u32) {
-    for y in 0..scene.camera.height {
-        for x in 0..scene.camera.width {
-            black_box(shaded(black_box(scene), set, (x, y), samples, &mut ()));
-        }
+/// Renders a row on this thread, with each type's own count of words.
+pub(super) fn timed<T: shade_core::Number>(scene: &Space<T>, set: Set, y: u16, samples: u32) {
+    for x in 0..scene.camera.width {
+        black_box(shaded(black_box(scene), set, (x, y), samples, &mut ()));
     }
 }
 

@@ -1,16 +1,16 @@
 //! The contact sheet: the picture, and how far each type is from it.
 
 use super::Study;
-use super::draw::{Means, median};
+use super::draw::{Means, median, rmse};
 use crate::image::encoded;
 
 /// Pictures along a row, rows: the picture, its noise, the differences of the other types.
 pub(super) const LAYOUT: (u16, u16) = (3, 2);
 
-/// What makes differences visible: the power of ten that brings the median pixel's near 0.1.
+/// What makes differences visible: the power of ten that brings the median pixel's near 0.02.
 fn gain(median: f64) -> f64 {
     if median > 0.0 {
-        libm::pow(10.0, (0.1 / median).log10().round())
+        libm::pow(10.0, (0.02 / median).log10().round())
     } else {
         1.0
     }
@@ -44,7 +44,10 @@ pub(super) fn sheet(
     let mut gains = Vec::new();
     let others = others.iter().filter_map(|s| s.means.last());
     for (place, means) in std::iter::once(converged).chain(others).enumerate() {
-        let gain = gain(median(means, best));
+        let gain = gain(match median(means, best) {
+            0.0 => rmse(means, best), // most pixels are the same
+            median => median,
+        });
         put(place + 1, &mut |i| difference(means, best, i, gain));
         gains.push(gain);
     }
@@ -61,8 +64,8 @@ mod tests {
 
     #[test]
     fn gains_are_powers_of_ten() {
-        assert_eq!(gain(0.1), 1.0);
-        assert_eq!(gain(2e-7), 1e6);
+        assert_eq!(gain(0.02), 1.0);
+        assert_eq!(gain(4e-7), 1e5);
         assert_eq!(gain(0.0), 1.0);
     }
 
@@ -71,18 +74,18 @@ mod tests {
         let study = |means: Means| Study {
             name: "",
             means: vec![means],
-            timed: Box::new(|| ()),
-            seconds: 1.0,
+            timed: Box::new(|_| ()),
+            seconds: vec![1.0],
         };
         let even = vec![[0.25; 3]; 2];
         let mut planted = even.clone();
         planted[1][2] += 1e-3;
         let studies = [study(even.clone()), study(even)];
         let (gains, rgb) = sheet(&studies, &planted, (2, 1), 1.0);
-        assert_eq!(gains, [100.0, 1.0]);
+        assert_eq!(gains, [10.0, 1.0]);
         // Of the first row the second picture's last value alone is not black.
         assert!(rgb[..6].iter().all(|&x| x == encoded(0.25)));
-        assert_eq!(rgb[6..12], [0, 0, 0, 0, 0, encoded(0.1)]);
+        assert_eq!(rgb[6..12], [0, 0, 0, 0, 0, encoded(0.01)]);
         assert!(rgb[12..].iter().all(|&x| x == 0));
     }
 }
