@@ -1,67 +1,14 @@
 //! The atlas example: what it writes, that it repeats itself, and how it fails.
 
-use std::env;
+mod command;
+
+use command::{Scratch, binary, names};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
-use std::sync::OnceLock;
-
-/// A folder of its own for each test, removed at the end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Scratch {
-        let path = env::temp_dir().join(format!("coslobe-atlas-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Scratch(path)
-    }
-
-    fn names(&self) -> Vec<String> {
-        names(&self.0)
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    names.sort();
-    names
-}
-
-/// The example's binary: `cargo test` builds it beside the folder of the tests, and
-/// `cargo test --test atlas` does not, so that it is built here where it is missing.
-fn binary() -> &'static Path {
-    static BINARY: OnceLock<PathBuf> = OnceLock::new();
-    BINARY.get_or_init(|| {
-        let test = env::current_exe().unwrap();
-        let profile = test.parent().unwrap().parent().unwrap();
-        let name = format!("atlas{}", env::consts::EXE_SUFFIX);
-        let binary = profile.join("examples").join(name);
-        if !binary.exists() {
-            let name = profile.file_name().unwrap().to_str().unwrap();
-            let status = Command::new(env!("CARGO"))
-                .args(["build", "--quiet", "--example", "atlas", "--profile"])
-                .arg(if name == "debug" { "dev" } else { name })
-                .arg("--target-dir")
-                .arg(profile.parent().unwrap())
-                .current_dir(env!("CARGO_MANIFEST_DIR"))
-                .status();
-            assert!(status.unwrap().success());
-        }
-        binary
-    })
-}
 
 fn command(folder: &Path) -> Command {
-    let mut command = Command::new(binary());
+    let mut command = Command::new(binary("atlas"));
     command.current_dir(folder);
     command
 }
@@ -79,7 +26,7 @@ fn succeeds(folder: &Path, args: &[&str]) -> String {
 
 #[test]
 fn writes_a_page_and_its_figures() {
-    let scratch = Scratch::new("page");
+    let scratch = Scratch::new("atlas-page");
     let table = succeeds(&scratch.0, &["--samples", "2000"]);
     assert_eq!(scratch.names(), ["atlas"]);
     let out = scratch.0.join("atlas");
@@ -122,7 +69,7 @@ fn writes_a_page_and_its_figures() {
 
 #[test]
 fn the_plain_tier_holds_in_the_tails() {
-    let scratch = Scratch::new("ulp");
+    let scratch = Scratch::new("atlas-ulp");
     let exponent = ["--exponent", "2.5"];
     let table = succeeds(
         &scratch.0,
@@ -140,7 +87,7 @@ fn the_plain_tier_holds_in_the_tails() {
 
 #[test]
 fn the_same_seed_gives_the_same_bytes() {
-    let scratch = Scratch::new("seed");
+    let scratch = Scratch::new("atlas-seed");
     let run = |out: &str, seed: &str, threads: &str| {
         let args = "--samples 70000 --laws disk,ball,cos-power --out OUT --seed SEED";
         let args = args.replace("OUT", out).replace("SEED", seed);
@@ -164,7 +111,7 @@ fn the_same_seed_gives_the_same_bytes() {
 
 #[test]
 fn a_second_run_replaces_its_files_and_leaves_others() {
-    let scratch = Scratch::new("again");
+    let scratch = Scratch::new("atlas-again");
     fs::write(scratch.0.join("mine.txt"), "mine").unwrap();
     fs::write(scratch.0.join("index.html"), "old").unwrap();
     succeeds(
@@ -185,7 +132,7 @@ fn a_second_run_replaces_its_files_and_leaves_others() {
 
 #[test]
 fn a_failure_while_writing_leaves_nothing() {
-    let scratch = Scratch::new("half");
+    let scratch = Scratch::new("atlas-half");
     // A folder where the page should go: its rename must fail after the figures are ready.
     fs::create_dir_all(scratch.0.join("out/index.html/full")).unwrap();
     let output = atlas(
@@ -199,7 +146,7 @@ fn a_failure_while_writing_leaves_nothing() {
 
 #[test]
 fn extreme_exponents_are_drawn() {
-    let scratch = Scratch::new("extreme");
+    let scratch = Scratch::new("atlas-extreme");
     for k in ["0", "-0", "0.1", "1e6", "1e30"] {
         let args = ["--samples", "500", "--laws", "cos-power", "--exponent", k];
         succeeds(&scratch.0, &args);
@@ -210,7 +157,7 @@ fn extreme_exponents_are_drawn() {
 
 #[test]
 fn bad_arguments_say_what_was_expected_and_write_nothing() {
-    let scratch = Scratch::new("bad");
+    let scratch = Scratch::new("atlas-bad");
     let cases: [(&[&str], &str); 11] = [
         (&["--samples", "0"], "1.."),
         (&["--samples", "many"], "invalid digit"),
@@ -239,7 +186,7 @@ fn bad_arguments_say_what_was_expected_and_write_nothing() {
 
 #[test]
 fn a_file_in_the_folders_place_is_refused_and_kept() {
-    let scratch = Scratch::new("file");
+    let scratch = Scratch::new("atlas-file");
     fs::write(scratch.0.join("taken"), "mine").unwrap();
     for out in ["taken", "taken/below"] {
         let output = atlas(&scratch.0, &["--samples", "100", "--out", out]);

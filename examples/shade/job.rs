@@ -176,6 +176,10 @@ fn frame<V: World>(
 }
 
 fn report(frame: &Frame) {
+    if frame.pixels.iter().all(|p| p.count < 2) {
+        println!("noise: no estimate from one sample a pixel");
+        return;
+    }
     let (mean, error) = frame.noise();
     let share = if mean > 0.0 {
         100.0 * error / mean
