@@ -50,12 +50,16 @@ pub(crate) struct Hashes {
     #[arg(long, value_name = "BOARD")]
     pub(crate) only: Vec<String>,
 
+    /// Only the number types named, as `f32` or `Precise<f64>`.
+    #[arg(long = "type", value_name = "TYPE")]
+    pub(crate) types: Vec<String>,
+
     /// Unoptimised images with overflow checks, on boards that have room for them.
     #[arg(long)]
     pub(crate) debug: bool,
 
     /// Writes the host's hashes as the expected ones: a value-breaking change.
-    #[arg(long, conflicts_with_all = ["last", "only", "debug", "planted"])]
+    #[arg(long, conflicts_with_all = ["last", "only", "types", "debug", "planted"])]
     pub(crate) bless: bool,
 
     /// Changes the last bit of one result in the images; has to fail and name it.

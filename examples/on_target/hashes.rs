@@ -10,7 +10,7 @@ use crate::difference::first;
 use crate::failure::{Failure, Result, While};
 use crate::report::Report;
 use crate::run::bar;
-use crate::types::{TYPES, laws, subjects};
+use crate::types::{TYPES, laws};
 use ask::{Asked, Device, Host};
 use coslobe_work::Stream;
 use expected::Expected;
@@ -43,6 +43,10 @@ pub(crate) fn run(options: &Hashes, report: &mut Report) -> Result<()> {
             "no board {unknown}; expected host, {names}"
         )));
     }
+    if let Some(unknown) = options.types.iter().find(|t| !TYPES.contains(&&***t)) {
+        let names = TYPES.join(", ");
+        return Err(Failure(format!("no type {unknown}; expected {names}")));
+    }
     if options.bless {
         return expected::write(|number, stream| {
             Host { number }.ask(&[
@@ -54,10 +58,13 @@ pub(crate) fn run(options: &Hashes, report: &mut Report) -> Result<()> {
         });
     }
     let expected = Expected::read()?;
-    let jobs = (subjects() * Stream::ALL.len()) as u64;
+    let jobs = types(options)
+        .map(|number| laws(number).len())
+        .sum::<usize>();
+    let jobs = (jobs * Stream::ALL.len()) as u64;
     if wanted("host") {
         let start = Instant::now();
-        for number in TYPES {
+        for number in types(options) {
             let outcome = compare(options, number, &Host { number }, &expected, &bar(jobs));
             report.outcome(&format!("host: hashes of {number}"), outcome);
         }
@@ -81,6 +88,12 @@ pub(crate) fn run(options: &Hashes, report: &mut Report) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// The number types that are asked for.
+fn types(options: &Hashes) -> impl Iterator<Item = &'static str> {
+    let wanted = |t: &&str| options.types.is_empty() || options.types.iter().any(|o| o == t);
+    TYPES.into_iter().filter(wanted)
 }
 
 fn known(name: &str) -> bool {
@@ -111,7 +124,7 @@ fn on_board(
         bar.suspend(|| println!("{}: {number}: {said} after {seconds:.0} s", board.name));
         outcome
     };
-    Ok(TYPES.map(|number| (number, one(number))).into())
+    Ok(types(options).map(|number| (number, one(number))).collect())
 }
 
 /// Every law's streams in one number type.
