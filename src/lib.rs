@@ -45,7 +45,8 @@
 //! assert!((plain - exact).abs() <= 2e-7 && (fast - exact).abs() < 3e-4);
 //! ```
 //!
-//! What each costs is in [`accuracy`], measured beside its errors.
+//! What each costs is in [`accuracy`], measured beside its errors. Where there is no floating-point unit, `Fixed(Disk)`
+//! (feature `fixed`) is the same law in integers alone. [`check`] is a self-test for power-on.
 //!
 //! # Where to enter
 //!
