@@ -22,10 +22,10 @@ const GOLDEN: [(&str, u64); 12] = [
     ("hard_shadow", 0x22E6_40B0_3D39_E3BE),
     ("soft_shadow", 0x59CE_8F7D_EDFD_2B8E),
     ("box", 0xBCFF_99CE_6095_D3E9),
-    ("gloss", 0x1E81_8359_77C3_A12A),
+    ("gloss", 0xC3C0_6D91_BA2C_4B6A),
     ("depth_of_field", 0x488C_771E_64D4_2703),
     ("fog", 0xA4C4_B91B_B490_2FD7),
-    ("all", 0x077C_4AAB_3668_A510),
+    ("all", 0x01E2_DBBB_8C70_5F1B),
     ("flat_lamp", 0x2B8D_66C2_451D_36F0),
     ("flat_bounces", 0x513D_43F3_3484_7071),
 ];
