@@ -78,7 +78,7 @@ fn scores_are_chi_squared() {
 }
 
 #[test]
-#[ignore = "2·10⁵ seeds: a minute"]
+#[ignore = "2·10⁵ seeds, a minute: cargo test --release --test self_test -- --ignored"]
 fn scores_are_chi_squared_farther_out() {
     calibrated(200_000, &[0.1, 0.01, 1e-3, 1e-4]);
 }
