@@ -12,7 +12,7 @@ use crate::report::Report;
 use crate::run::bar;
 use crate::types::{TYPES, laws};
 use ask::{Asked, Device, Host};
-use coslobe_work::Stream;
+use coslobe_common::Stream;
 use expected::Expected;
 use indicatif::ProgressBar;
 use rayon::prelude::*;

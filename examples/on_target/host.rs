@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Result, While};
 use crate::types::FIXED;
 use coslobe::{Fast, Precise};
-use coslobe_work::{Answer, Integers, Laws, Subject, Visitor, answer, directions};
+use coslobe_common::{Answer, Integers, Laws, Subject, Visitor, answer, directions};
 
 /// Something that can be done in a number type.
 pub(crate) trait InType {

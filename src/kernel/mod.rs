@@ -6,6 +6,7 @@ pub(crate) mod double;
 pub(crate) mod fast;
 pub(crate) mod kepler;
 pub(crate) mod moment;
+pub(crate) mod odd_multiple;
 pub(crate) mod pair;
 pub(crate) mod poly;
 pub(crate) mod power;

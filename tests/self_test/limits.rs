@@ -61,7 +61,7 @@ fn committed_limits_are_those_of_chi_squared() {
 }
 
 #[test]
-#[ignore = "writes src/check/table.rs"]
+#[ignore = "writes src/check/table.rs: cargo test --release --test self_test -- --ignored"]
 fn write_limits() {
     std::fs::write(PATH, table()).unwrap();
 }

@@ -101,7 +101,7 @@ fn committed_page_lists_every_fault_and_the_size() {
 }
 
 #[test]
-#[ignore = "writes docs/self_test.md: a minute"]
+#[ignore = "writes docs/self_test.md, a minute: cargo test --release --test self_test -- --ignored write_page"]
 fn write_page() {
     std::fs::write(PATH, page()).unwrap();
 }

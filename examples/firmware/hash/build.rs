@@ -7,7 +7,7 @@ fn main() {
     println!("cargo::rustc-link-arg=-Tboard.x");
     let number = env::var("COSLOBE_TYPE").unwrap_or("f32".to_owned());
     let number = if number == "Fixed" {
-        "coslobe_work::Integers"
+        "coslobe_common::Integers"
     } else {
         &number
     };

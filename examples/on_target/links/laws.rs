@@ -6,7 +6,7 @@ use super::{Shown, caught, ensure};
 use crate::boards::Board;
 use crate::failure::Result;
 use crate::types::{FIXED, TYPES, laws};
-use coslobe_work::LAWS;
+use coslobe_common::LAWS;
 use indicatif::ProgressBar;
 
 /// The types to look at: all where there is an FPU, elsewhere those that firmware takes first.

@@ -4,7 +4,7 @@
 //! `COSLOBE_LAST` at compile time says up to which count.
 
 use coslobe::{Fast, Precise};
-use coslobe_work::{Answer, Integers, Laws, Stream, answer};
+use coslobe_common::{Answer, Integers, Laws, Stream, answer};
 
 const EXPECTED: &str = include_str!("../../hashes.txt");
 
@@ -62,7 +62,7 @@ fn fixed_hashes() {
 /// One changed result changes the hash, wherever it is; so do two changed signs.
 #[test]
 fn no_change_cancels() {
-    use coslobe_work::Hash;
+    use coslobe_common::Hash;
     // Miri takes a minute for 5000 pairs.
     const STEPS: usize = if cfg!(miri) { 10 } else { 100 };
     let of = |flips: &[usize]| {
