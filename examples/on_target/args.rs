@@ -38,7 +38,7 @@ pub(crate) struct Shade {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Hashes {
-    /// All 2²⁰ samples and 2¹⁶ inputs instead of the first 4096 and 1024: hours.
+    /// All 2²⁰ samples and 2¹⁴ inputs instead of the first 4096 and 1024: hours.
     #[arg(long)]
     pub(crate) full: bool,
 

@@ -30,11 +30,11 @@ impl Stream {
     /// All streams.
     pub const ALL: [Stream; 2] = [Stream::Samples, Stream::Values];
 
-    /// Where the stream ends: over 10⁶ samples; 65 536 inputs, of 16 results each at least.
+    /// Where the stream ends: over 10⁶ samples; 16 384 inputs, of 16 results each at least.
     pub const fn length(self) -> u32 {
         match self {
             Stream::Samples => 1 << 20,
-            Stream::Values => 1 << 16,
+            Stream::Values => 1 << 14,
         }
     }
 
