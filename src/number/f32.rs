@@ -4,24 +4,16 @@ use super::Real;
 use super::native::Native;
 use super::scalar::Scalar;
 use super::tier::{Holds, Margin, Tier};
-use crate::kernel::odd_multiple::odd_multiple;
 use crate::kernel::pair::Pair;
 use crate::kernel::table::{Constants, Table};
 use crate::kernel::table_f32::{CONSTANTS, TABLE};
-use crate::kernel::turn::at_quadrant;
+use crate::kernel::turn::{at_quadrant, merge_if_odd};
+use crate::kernel::uniform::f32 as uniform;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
 const fn power_of_two(n: i32) -> f32 {
     f32::from_bits(((127 + n) as u32) << 23)
-}
-
-/// (q, n): a uniform azimuth as q quarters and n·2⁻³³ turns, |n| < 2³⁰, n odd.
-#[inline(always)]
-pub(crate) fn parts_of_turn(bits: u32) -> (u32, i32) {
-    let quadrant = bits.wrapping_add(1 << 29) >> 30;
-    // What is left of the quarters are the lower 30 bits, as a signed number.
-    (quadrant, ((bits << 2) as i32 >> 1) | 1)
 }
 
 impl Real for f32 {}
@@ -70,6 +62,12 @@ impl Scalar for f32 {
             f32::from_bits(a.to_bits() ^ difference),
             f32::from_bits(b.to_bits() ^ difference),
         )
+    }
+
+    #[inline(always)]
+    fn swap_factors_if_odd(n: u32, a: f32, b: f32) -> (f32, f32) {
+        let (a, b) = merge_if_odd(n, a.to_bits(), b.to_bits());
+        (f32::from_bits(a), f32::from_bits(b))
     }
 
     #[inline(always)]
@@ -225,12 +223,12 @@ impl Tier for f32 {
 
     #[inline]
     fn tails_of(bits: u64) -> Tails<f32> {
-        Tails::from_nearer(odd_multiple(bits << 1 >> 1), bits >> 63 != 0)
+        Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 63 != 0)
     }
 
     #[inline]
     fn turn_of(bits: u32) -> CosSin<f32> {
-        let (quadrant, part) = parts_of_turn(bits);
-        at_quadrant(quadrant, part as f32 * power_of_two(-33))
+        let (quadrant, x) = uniform::turn(bits);
+        at_quadrant(quadrant, x)
     }
 }

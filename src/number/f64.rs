@@ -8,37 +8,12 @@ use crate::kernel::pair::Pair;
 use crate::kernel::table::{Constants, Table};
 use crate::kernel::table_f64::{CONSTANTS, TABLE};
 use crate::kernel::turn::at_quadrant;
+use crate::kernel::uniform::f64 as uniform;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
 pub(crate) const fn power_of_two(n: i32) -> f64 {
     f64::from_bits(((1023 + n) as u64) << 52)
-}
-
-/// n + ½ for n < 2¹²⁷, rounded once.
-///
-/// The general conversion is a library call; one of 64 bits is not. All that lies below those is
-/// never zero, and their last bit, itself below the digits kept, stands for it.
-#[inline(always)]
-fn half_more(n: u128) -> f64 {
-    let leading = (n >> 63) as u64;
-    if leading >> 55 != 0 {
-        (leading | 1) as f64 * power_of_two(63)
-    } else {
-        let odd = 2 * n + 1;
-        let zeros = odd.leading_zeros();
-        let odd = odd << zeros;
-        let sticky = u64::from(odd as u64 != 0);
-        ((odd >> 64) as u64 | sticky) as f64 * power_of_two(63 - zeros as i32)
-    }
-}
-
-/// (q, n): a uniform azimuth as q quarters and n·2⁻⁶⁵ turns, |n| < 2⁶², n odd.
-#[inline(always)]
-pub(crate) fn parts_of_turn(bits: u64) -> (u32, i64) {
-    let quadrant = bits.wrapping_add(1 << 61) >> 62;
-    // What is left of the quarters are the lower 62 bits, as a signed number.
-    (quadrant as u32, ((bits << 2) as i64 >> 1) | 1)
 }
 
 impl Real for f64 {}
@@ -243,47 +218,12 @@ impl Tier for f64 {
 
     #[inline]
     fn tails_of(bits: u128) -> Tails<f64> {
-        // Odd, so never zero; the conversion rounds to nearest, so ½ is reached and not passed.
-        let p = half_more(bits << 1 >> 1) * power_of_two(-128);
-        Tails::from_nearer(p, bits >> 127 != 0)
+        Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 127 != 0)
     }
 
     #[inline]
     fn turn_of(bits: u64) -> CosSin<f64> {
-        let (quadrant, part) = parts_of_turn(bits);
-        at_quadrant(quadrant, part as f64 * power_of_two(-65))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// [`half_more`] against the compiler's own conversion: every count of leading zeros, and patterns of
-    /// low bits around the tie of each.
-    #[test]
-    fn half_more_is_rounded_once() {
-        let mut noise = 0x9E37_79B9_7F4A_7C15u128;
-        for length in 0..=127 {
-            let lead: u128 = (1 << length) >> 1;
-            for shift in 0..=length {
-                for pattern in 0..16 {
-                    noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
-                    let top = u128::MAX >> 1;
-                    for low in [
-                        pattern << shift,
-                        (1 << shift) - 1,
-                        noise >> 1,
-                        noise >> 1 << shift,
-                    ] {
-                        for n in [lead | low, lead | low.wrapping_sub(1), lead ^ low] {
-                            let n = n & top & (top >> (127 - length));
-                            let expected = (2 * n + 1) as f64 * 0.5;
-                            assert_eq!(half_more(n).to_bits(), expected.to_bits(), "{n:#x}");
-                        }
-                    }
-                }
-            }
-        }
+        let (quadrant, x) = uniform::turn(bits);
+        at_quadrant(quadrant, x)
     }
 }

@@ -39,6 +39,11 @@ pub trait Scalar:
     /// (b, a) if n is odd, else (a, b), by masking bits: random bits choose, and a branch on them
     /// would be mispredicted half the time.
     fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self);
+    /// [`swap_if_odd`](Self::swap_if_odd) of numbers that are multiplied next.
+    #[inline(always)]
+    fn swap_factors_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
+        Self::swap_if_odd(n, a, b)
+    }
     /// `a` if `first`, else `b`, in the same way.
     #[inline(always)]
     fn select(first: bool, a: Self, b: Self) -> Self {

@@ -2,6 +2,7 @@
 
 use super::fixed::{leading_30, leading_31};
 use super::table::{TURN_COS, TURN_SIN};
+use crate::kernel::turn::merge_if_odd;
 
 /// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n + 1)·2⁻³³.
 ///
@@ -22,11 +23,11 @@ pub(crate) fn turn(bits: u32) -> (f32, f32) {
     let v = (y * y) >> 14;
     let cos = leading_30(TURN_COS.at(v), 0).to_bits();
     let sin = ((2 * rest + 1) as f32 * leading_31(TURN_SIN.at(v), -31)).to_bits();
-    let swap = (cos ^ sin) & (quadrant & 1).wrapping_neg();
+    let (cos, sin) = merge_if_odd(quadrant, cos, sin);
     let cos_sign = (quadrant.wrapping_add(1) << 30) & (1 << 31);
     let sin_sign = (quadrant << 30) & (1 << 31);
     (
-        f32::from_bits((cos ^ swap) ^ cos_sign),
-        f32::from_bits((sin ^ swap) ^ sin_sign),
+        f32::from_bits(cos ^ cos_sign),
+        f32::from_bits(sin ^ sin_sign),
     )
 }

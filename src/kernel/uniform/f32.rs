@@ -1,0 +1,143 @@
+//! `f32`.
+
+use super::BY_SUMS;
+
+/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2²³ become multiples of 2ⁿ.
+const fn carrier(ulp: i32) -> u32 {
+    ((127 + 23 + ulp) as u32) << 23
+}
+
+/// (2n + 1)·2⁻⁶⁵ for n < 2⁶³, rounded to nearest: never zero; ½ is reached and not passed.
+#[inline(always)]
+pub(crate) fn tail(n: u64) -> f32 {
+    if BY_SUMS { summed(n) } else { assembled(n) }
+}
+
+/// [`tail`] by one sum of floats, which rounds.
+#[inline(always)]
+fn summed(n: u64) -> f32 {
+    const HIGH: u32 = carrier(-24);
+    const LOW: u32 = carrier(-47);
+    if n >> 42 != 0 {
+        let high = f32::from_bits(HIGH | (n >> 40) as u32) - f32::from_bits(HIGH);
+        // Its last bit lies below the digits kept and stands for all that follow.
+        let low = (n >> 17) as u32 & 0x7F_FFFF | 1;
+        high + (f32::from_bits(LOW | low) - f32::from_bits(LOW))
+    } else {
+        // Signed, since an unsigned conversion is a branch on the top bit on many processors.
+        const TWO_TO_MINUS_65: f32 = f32::from_bits((127 - 65) << 23);
+        (2 * n + 1) as i64 as f32 * TWO_TO_MINUS_65
+    }
+}
+
+/// [`tail`] by 32-bit integers alone.
+#[inline(always)]
+fn assembled(n: u64) -> f32 {
+    let odd = (n << 1) | 1;
+    let zeros = odd.leading_zeros();
+    let leading = odd << zeros;
+    // The last bit stands for all that follow it: they decide only whether half a place is a tie.
+    let top = (leading >> 32) as u32 | u32::from(leading as u32 != 0);
+    let significand = top >> 8;
+    let up = ((top & 0xFF) + 0x7F + (significand & 1)) >> 8;
+    // The significand's leading one counts as one in the exponent, and its overflow as another.
+    f32::from_bits(((124 - zeros) << 23) + significand + up)
+}
+
+/// (q, n): a uniform azimuth as q quarters and n·2⁻³³ turns, |n| < 2³⁰, n odd.
+#[inline(always)]
+pub(crate) fn parts_of_turn(bits: u32) -> (u32, i32) {
+    // What is left of the quarters are the lower 30 bits, as a signed number.
+    (quadrant(bits), ((bits << 2) as i32 >> 1) | 1)
+}
+
+#[inline(always)]
+fn quadrant(bits: u32) -> u32 {
+    bits.wrapping_add(1 << 29) >> 30
+}
+
+/// (q, x): the same azimuth as q quarters and x turns, |x| ≤ ⅛, x rounded once.
+#[inline(always)]
+pub(crate) fn turn(bits: u32) -> (u32, f32) {
+    let x = if BY_SUMS {
+        summed_turn(bits)
+    } else {
+        converted_turn(bits)
+    };
+    (quadrant(bits), x)
+}
+
+#[inline(always)]
+fn converted_turn(bits: u32) -> f32 {
+    const TWO_TO_MINUS_33: f32 = f32::from_bits((127 - 33) << 23);
+    parts_of_turn(bits).1 as f32 * TWO_TO_MINUS_33
+}
+
+#[inline(always)]
+fn summed_turn(bits: u32) -> f32 {
+    const HIGH: u32 = carrier(-25);
+    const LOW: u32 = carrier(-34);
+    // Twice n but for its last bit; the upper part with ⅛ added, so that it is no less than 0.
+    let twice = bits << 2;
+    let high = f32::from_bits(HIGH | (twice ^ 1 << 31) >> 9);
+    let low = f32::from_bits(LOW | twice & 0x1FF | 2);
+    (high - (f32::from_bits(HIGH) + 0.125)) + (low - f32::from_bits(LOW))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both ways of [`tail`] against the compiler's unsigned conversion: every count of leading zeros,
+    /// and patterns of low bits around the tie of each.
+    #[test]
+    fn tails_are_rounded_once() {
+        let mut noise = 0x9E37_79B9_7F4A_7C15u64;
+        for length in 0..=63 {
+            let lead: u64 = (1 << length) >> 1;
+            for shift in 0..=length {
+                for pattern in 0..16 {
+                    noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
+                    let top = u64::MAX >> 1;
+                    for low in [
+                        pattern << shift,
+                        (1 << shift) - 1,
+                        noise >> 1,
+                        noise >> 1 << shift,
+                    ] {
+                        for n in [lead | low, lead | low.wrapping_sub(1), lead ^ low] {
+                            let n = n & top & (top >> (63 - length));
+                            let expected = (2 * n + 1) as f32 * 0.5f32.powi(65);
+                            for found in [summed(n), assembled(n)] {
+                                assert_eq!(found.to_bits(), expected.to_bits(), "{n:#x}");
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn same_turn(bits: u32) {
+        let (one, other) = (summed_turn(bits), converted_turn(bits));
+        assert_eq!(one.to_bits(), other.to_bits(), "{bits:#x}");
+    }
+
+    #[test]
+    fn turns_are_the_conversions() {
+        (0..=u32::MAX).step_by(997).for_each(same_turn);
+        for eighth in 0..8u32 {
+            for near in 0..1 << 12 {
+                same_turn((eighth << 29).wrapping_add(near));
+                same_turn((eighth << 29).wrapping_sub(near));
+            }
+        }
+    }
+
+    /// `cargo test --release --lib uniform -- --ignored`
+    #[test]
+    #[ignore = "all 2³² words, 10 s"]
+    fn turns_are_the_conversions_exhaustively() {
+        (0..=u32::MAX).for_each(same_turn);
+    }
+}
