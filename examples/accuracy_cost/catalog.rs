@@ -4,7 +4,7 @@ use crate::accuracy::format::Format;
 use crate::accuracy::reference::Id;
 use crate::accuracy::values::Tier;
 use crate::cell::{Cell, Draw, generator, generator_cells};
-use crate::contender::{Contender, Measure, plain};
+use crate::contender::{Contender, Measure, PARTS, plain};
 use crate::errors;
 use crate::inputs::{Uniforms, angles, pairs, probabilities};
 use crate::peers;
@@ -164,6 +164,13 @@ fn spatial<T: Tier, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, i
         normal: [0.48, 0.6, 0.64].map(of::<T>),
     };
     add::<T>(list, id, "sample_around", Cell::drawing(around), None);
+    add::<T>(
+        list,
+        id,
+        PARTS,
+        Cell::drawing(Parts(PhantomData::<T>)),
+        None,
+    );
 }
 
 #[derive(Clone, Copy)]
@@ -174,6 +181,22 @@ struct InSpace<T, L>(L, PhantomData<T>);
 struct Around<T, L> {
     law: L,
     normal: [T; 3],
+}
+
+#[derive(Clone, Copy)]
+struct Parts<T>(PhantomData<T>);
+
+impl<T: Tier> Draw for Parts<T> {
+    type Out = [T; 4];
+    #[inline(always)]
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 4] {
+        let tails = uniform::tails::<T, _>(rng);
+        let azimuth = uniform::azimuth::<T, _>(rng);
+        [tails.lower(), tails.upper(), azimuth.cos, azimuth.sin]
+    }
+    fn cos(out: &[T; 4]) -> f64 {
+        out[1].raw().wide()
+    }
 }
 
 impl<T: Tier, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {

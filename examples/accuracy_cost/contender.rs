@@ -7,6 +7,18 @@ use crate::errors::Errors;
 use crate::inputs::Uniforms;
 use coslobe::{Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, SphereShell};
 
+/// What a `sample` in space cannot do without: its uniform and its azimuth, with no law between them.
+pub(crate) const PARTS: &str = "uniform and azimuth";
+
+/// The operation whose time that of `operation` is compared with.
+pub(crate) fn whole(operation: &'static str) -> &'static str {
+    if operation == PARTS {
+        "sample"
+    } else {
+        operation
+    }
+}
+
 /// Errors measured by this study, given the uniforms to take and how many in each octave.
 pub(crate) type Measure = Box<dyn Fn(Uniforms, u32) -> Errors>;
 

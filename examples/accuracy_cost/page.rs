@@ -1,12 +1,13 @@
 //! The readable table.
 
 use crate::cell::DRAWS;
-use crate::contender::plain;
+use crate::contender::{PARTS, plain};
 use crate::judged::Judged;
 use crate::machine::Machine;
 use crate::row::Row;
 use crate::scipy::Scipy;
 use crate::summary;
+use crate::tables::or_dash;
 use crate::time::ROUNDS;
 use std::fmt::Write;
 
@@ -127,7 +128,8 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
     writeln!(
         out,
         "\n## Directions against the quickest peer\n\n\
-         Time of `sample` as a multiple of that of the quickest peer of the same format."
+         Time of `sample` as a multiple of that of the quickest peer of the same format. *Uniform and azimuth*: what a\n\
+         direct sampler in space cannot do without, drawn in the plain type with no law between them."
     )?;
     for format in ["f32", "f64"] {
         let types: Vec<&String> = types.iter().filter(|name| plain(name) == format).collect();
@@ -135,7 +137,11 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
         types
             .iter()
             .try_for_each(|name| write!(out, " `{name}` |"))?;
-        writeln!(out, "\n|---|---|{}", "---|".repeat(types.len()))?;
+        writeln!(
+            out,
+            " uniform and azimuth |\n|---|---|{}---|",
+            "---|".repeat(types.len())
+        )?;
         for law in laws {
             let samples = |ours: bool| {
                 rows.iter().filter(move |r| {
@@ -148,7 +154,11 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
             for row in samples(true) {
                 write!(out, " {:.2} |", row.time_to_plain / peer.time_to_plain)?;
             }
-            writeln!(out)?;
+            let parts = rows
+                .iter()
+                .find(|r| r.law == *law && r.operation == PARTS && r.name == format);
+            let share = |r: &Row| format!("{:.2}", r.time_to_plain / peer.time_to_plain);
+            writeln!(out, " {} |", or_dash(parts, share))?;
         }
     }
     Ok(())

@@ -3,7 +3,7 @@
 use crate::accuracy::rows::{law_name, total_inputs};
 use crate::args::Args;
 use crate::catalog::Counted;
-use crate::contender::Contender;
+use crate::contender::{Contender, whole};
 use crate::count::{Missing, counts};
 use crate::errors::Errors;
 use crate::inputs::Uniforms;
@@ -124,7 +124,11 @@ fn rows(
     let mut rows = Vec::new();
     for (((c, &time), &count), own) in list.iter().zip(times).zip(counts).zip(own) {
         let law = law_name(c.law);
-        let of = |name| of_ours.get(&(name, law.clone(), c.operation)).copied();
+        let of = |name| {
+            of_ours
+                .get(&(name, law.clone(), whole(c.operation)))
+                .copied()
+        };
         let times = [
             time,
             of("f32").unwrap_or(f64::NAN),
