@@ -86,5 +86,5 @@ d -> (d + M * M * M * G) - M * M * M * G;
 k - 1 / (3 * M * M) -> (k - q * {C}) + (q - r * r) * {C} + (H * (2 + H) * {C} + ({C} - 1 / 3)) / (M * M);
 w - S * S / M -> (w - s2 * r) + (s2 - s * s) * r + (s - S) * (s + S) * r + S * S * H / M;
 s -> (s - S) + S;
-$ M in 12;
+$ M in 16;
 """, ["r1 - M", "z - M"], ulp(form, 0))
