@@ -48,9 +48,14 @@ def iterates(form, planted):
     return e, t
 
 
-def cbrt(form, cs, E):
+# Where the root, scaled into [1, 2], is cut: what is left of its error grows with it.
+PLACES = [1, 1.125, 1.25, 1.5]
+
+
+def cbrt(form, cs, E, low):
     """The last step: t is cut to half its digits, r and its square are off by what `iterates` says."""
     e, t = E
+    high = (PLACES + [2])[PLACES.index(low) + 1]
     C = exact(1 / 3 if form.bits == 53 else 11184811 / 2**25)
     yield Part(head(form) + f"""
 @cut = float<{form.half},-2000,zr>;
@@ -70,7 +75,7 @@ D = (t - M) / M; H = r * M - 1;
 G = D * (3 + D * (3 + D));          # y - t^3 = -M^3 G
 S = -M * G / 3;                     # (y - t^3)/(3 M^2): t + S + S^2/M is M + F
 F = M * D * D * D * (5 + D * (5 + D * (2 + D / 3))) / 3;
-{{ M in [1, 2] /\ |D| <= {exact(t)} /\ |H| <= {exact(e)} -> |r1 - M| in ? /\ |z - M| in ? }}
+{{ M in [{low!r}, {high!r}] /\ |D| <= {exact(t)} /\ |H| <= {exact(e)} -> |r1 - M| in ? /\ |z - M| in ? }}
 z - M -> (z - r1) + (r1 - M);
 t -> M * (1 + D);
 r -> (1 + H) / M;
@@ -81,5 +86,5 @@ d -> (d + M * M * M * G) - M * M * M * G;
 k - 1 / (3 * M * M) -> (k - q * {C}) + (q - r * r) * {C} + (H * (2 + H) * {C} + ({C} - 1 / 3)) / (M * M);
 w - S * S / M -> (w - s2 * r) + (s2 - s * s) * r + (s - S) * (s + S) * r + S * S * H / M;
 s -> (s - S) + S;
-$ M in 32;
+$ M in 16;
 """, ["r1 - M", "z - M"], ulp(form, 0))

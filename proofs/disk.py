@@ -1,4 +1,4 @@
-"""kepler.rs: the disk's tail and its inverse."""
+"""kepler.rs: the disk's tail, and its inverse near the end for a rounded s (all of it: kepler.py)."""
 
 import math
 
@@ -24,35 +24,6 @@ R = s * 0.5 + s * T * P;
     for low, high, k in binades(lambda s: s * (0.5 + s * s * polynomial_value(cs, s * s)), 1.6766):
         yield Part(body + f"{{ s in [{low!r}, {high!r}] /\\ |(R - M) / R| <= {exact(E)} -> |r - M| in ? }}\n"
                    + hints + "$ s in 16;\n", ["r - M"], ulp(form, k))
-
-
-def kepler_centre(form, cs, E):
-    """kepler.rs from_axis_at, p >= 1/8: theta of the rounded d, without d's own error."""
-    hi, lo = form.pair["half_pi"]
-    body = head(form) + f"""
-d = fl(dd);
-w fl= d * d;
-exc fl= ({exact(hi - 1.5)}) + {exact(lo)};   # half_pi.hi - ONE - HALF is exact
-{by_fours("h", "w", cs, "fl")}
-de fl= d * exc;
-dw fl= d * w;
-dwh fl= dw * h;                     # d * w * bend
-b fl= de + dwh;
-rest fl= d * 0.5 + b;
-r = d + rest;                       # fast_sum: exact
-y fl= d + rest;                     # angle_at_tail's one rounding
-W = d * d;
-{by_fours("P", "W", cs, "")}
-H = {exact(hi)} + {exact(lo)};
-R = d * (H + (W * P));
-"""
-    hints = ("r - M -> (rest - (d * 0.5 + b)) + (b - d * (H - 1.5 + W * P)) + ((R - M) / R) * R;\n"
-             "b - d * (H - 1.5 + W * P) -> (b - (de + dwh)) + (de - d * exc) + d * (exc - (H - 1.5)) + (dwh - d * W * P);\n"
-             "y - M -> (y - r) + (r - M);\n")
-    value = lambda d: d * (math.pi / 2 + d * d * polynomial_value(cs, d * d))
-    for low, high, k in binades(value, 0.3751):
-        yield Part(body + f"{{ d in [{low!r}, {high!r}] /\\ |(R - M) / R| <= {exact(E)} -> |r - M| in ? /\\ |y - M| in ? }}\n"
-                   + hints + "$ d in 12;\n", ["r - M", "y - M"], ulp(form, k))
 
 
 def tail_of_cos(form, cs, E):

@@ -1,6 +1,7 @@
 """The coefficients, read from the tables the crate compiles, so that a proof cannot drift from them."""
 
 import re
+import struct
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -12,19 +13,17 @@ class Format:
         # Significand bits that `leading_half` keeps.
         self.half = half
         source = (ROOT / f"src/kernel/table_{name}.rs").read_text()
-        number = lambda text: float(text)
+        number = lambda text: self.rounded(float(text))
         self.poly = {
             m[1]: [number(c) for c in m[2].replace("\n", " ").split(",") if c.strip()]
             for m in re.finditer(r"^    (\w+): &\[([^\]]*)\],", source, re.M)
         }
-        if bits == 24:
-            # Decimals of f32 are read as the nearest f32.
-            import struct
-
-            number = lambda text: struct.unpack("f", struct.pack("f", float(text)))[0]
-            self.poly = {k: [number(repr(c)) for c in cs] for k, cs in self.poly.items()}
         pairs = r"^    (\w+): Pair \{\s*hi: ([-\d.e]+),\s*lo: ([-\d.e]+),?\s*\}"
         self.pair = {m[1]: (number(m[2]), number(m[3])) for m in re.finditer(pairs, source, re.M)}
+
+    def rounded(self, x):
+        """The nearest number of the format."""
+        return x if self.bits == 53 else struct.unpack("f", struct.pack("f", x))[0]
 
     @property
     def u(self):

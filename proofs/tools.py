@@ -3,6 +3,7 @@
 import re
 import subprocess
 import tempfile
+from threading import Lock
 
 from tables import exact
 
@@ -61,16 +62,10 @@ TOPS = {
 def approximation(form, name, coefficients=None):
     """Certified max |P - f| of a polynomial of the table, with the remainder of f's series."""
     cs = form.poly[name] if coefficients is None else coefficients
+    if name.startswith("kepler"):
+        return max(residuals(name, cs)[0])
     p = polynomial(cs, "x", number)
-    if name == "kepler_tail":
-        # y - sin y = s^3/6: the residual, relative, over the logarithmic slope of y - sin y, which is > 2.
-        body = (f"c=1; G=0; for k from 1 to 12 do {{ c=-c/(2*k)/(2*k+1); G=G-c*x^(k-1); }};"
-                f"Y=1+2*x*({p}); r=6*Y^3*G(x*Y^2); e=supnorm(1,r,[0;2.82],absolute,2^(-8));")
-        # That slope times what is asked, eta/s - 1/2 = x K: K off by e (eta/s)/x.
-    elif name == "kepler_centre":
-        return centre_residual(cs)
-    else:
-        body = f"{SERIES[name]} e=supnorm({p},horner(T),[0;{TOPS[name]}],absolute,2^(-8));"
+    body = f"{SERIES[name]} e=supnorm({p},horner(T),[0;{TOPS[name]}],absolute,2^(-8));"
     text = f"display=powers!; prec=250!; {body} round(sup(e),20,RU);\n"
     out = call(["sollya"], text)
     m = re.search(r"^(\d+)(?: \* 2\^\((-?\d+)\))?\s*$", out, re.M)
@@ -80,40 +75,48 @@ def approximation(form, name, coefficients=None):
     return int(m[1]) * 2.0 ** int(m[2] or 0) + 2.0**-70
 
 
-def centre_residual(cs):
-    """max |(theta + sin theta cos theta)/(pi d) - 1| by Arb: Sollya's supnorm does not end on this one.
+LOCK = Lock()  # flint's precision is one for all threads
 
-    Taylor models of order n on pieces: the coefficients at the middle, the n-th over the whole piece.
+
+def residuals(poly, cs):
+    """Bounds of |residual| on as many equal parts of the variable's range, and that range's end, by Arb.
+
+    Kepler's equation with the polynomial put in: (y - sin y)/(s^3/6) - 1 at y = s + 2 s t P(t), t = s^2, and
+    (theta + sin theta cos theta)/(pi d) - 1 at theta = d pi/2 + d w P(w), w = d^2. Sollya's supnorm does not end on
+    the latter. Taylor models of order n: the coefficients at the middle, the n-th over the whole part.
     """
     try:
         from flint import arb, arb_series, ctx
     except ImportError:
         raise Missing("python-flint is not installed")
-    ctx.prec, n, pieces, worst = 200, 12, 200, 0.0
-    h = arb("0.1407") / (2 * pieces)
+    n, parts, end = 12, 200, {"kepler_tail": 2.811, "kepler_centre": 0.1407}[poly]
 
-    def residual(w):
-        ctx.cap = n + 1
-        x, p, g = arb_series([w, 1]), arb_series([0]), arb_series([0])
+    def residual(v):
+        x, p, g = arb_series([v, 1]), arb_series([0]), arb_series([0])
         for c in reversed(cs):
             p = p * x + arb(c)
-        y = arb.pi() / 2 + x * p
-        t, fact = x * y * y, []
-        c = arb(1)
-        for k in range(1, 14):
-            c = -c * 4 / (2 * k) / (2 * k + 1)
-            fact.append(c)
-        for c in reversed(fact):
-            g = (g + c) * t
-        r = y * (2 + g) / arb.pi() - 1
+        centre = poly == "kepler_centre"
+        y = arb.pi() / 2 + x * p if centre else 1 + 2 * x * p
+        t, c, series = x * y * y, arb(1), []
+        for k in range(1, 16):
+            c = -c * (4 if centre else 1) / (2 * k) / (2 * k + 1)
+            series.append(c)
+        for c in reversed(series):
+            g = (g + c) * t if centre else g * t - c
+        # sin's series alternates: what is left out is below 2^-70.
+        r = y * (2 + g) / arb.pi() - 1 if centre else 6 * y * y * y * g - 1
         return [r[i] for i in range(n + 1)]
 
-    for i in range(pieces):
+    def bound(i):
         middle = h * (2 * i + 1)
         near, wide = residual(middle), residual(middle + arb(0, h.upper()))
-        bound = sum((abs(near[k]) * h**k for k in range(n)), arb(0)) + abs(wide[n]) * h**n
-        worst = max(worst, float(bound.upper()) * (1 + 2.0**-40))
-    return worst + 2.0**-70
+        total = sum((abs(near[k]) * h**k for k in range(n)), arb(0)) + abs(wide[n]) * h**n
+        return float(total.upper()) * (1 + 2.0**-40) + 2.0**-70
+
+    with LOCK:
+        ctx.prec, ctx.cap = 200, n + 1
+        h = arb(end) / (2 * parts)
+        return [bound(i) for i in range(parts)], end
 
 
 def horner(form, out, v, name, coefficients):
