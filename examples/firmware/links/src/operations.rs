@@ -1,7 +1,7 @@
 //! Calls to the library, each result of which the image's result depends on.
 #![allow(dead_code)] // which ones are used, COSLOBE_CALLS says
 
-use ::fixed::types::{I0F32, I1F31, U0F32};
+use ::fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use core::convert::Infallible;
 use coslobe::fixed::FixedLaw;
 use coslobe::rand_core::TryRng;
@@ -94,6 +94,15 @@ where
     d.as_ref().iter().fold(0, |sum, c| sum ^ c.to_bits() as u32)
 }
 
+/// `CosPower`'s sampler in fixed point alone.
+pub(crate) fn fixed_power_sampler(x: u32, rng: &mut Words) -> u32 {
+    fixed_sampler(fixed_power(x), rng)
+}
+
+fn fixed_power(x: u32) -> coslobe::fixed::CosPower {
+    coslobe::fixed::CosPower::new(U16F16::from_bits(x))
+}
+
 /// Every operation in fixed point.
 pub(crate) fn fixed_everything(x: u32, rng: &mut Words) -> u32 {
     fixed_law(Disk, x, rng)
@@ -102,10 +111,12 @@ pub(crate) fn fixed_everything(x: u32, rng: &mut Words) -> u32 {
         ^ fixed_law(Ball, x, rng)
         ^ fixed_law(SphereShell, x, rng)
         ^ fixed_law(Lambert, x, rng)
+        ^ fixed_law(fixed_power(x), x, rng)
 }
 
-fn fixed_law<L: FixedLaw<Density = U0F32> + Copy>(law: L, x: u32, rng: &mut Words) -> u32
+fn fixed_law<L>(law: L, x: u32, rng: &mut Words) -> u32
 where
+    L: FixedLaw<Density: ::fixed::traits::Fixed<Bits = u32>>,
     L::Direction: AsRef<[I1F31]>,
 {
     let (fixed, p, theta) = (Fixed(law), U0F32::from_bits(x), I0F32::from_bits(x as i32));
