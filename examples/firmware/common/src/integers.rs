@@ -4,7 +4,7 @@ use crate::input::mix;
 use crate::{EXPONENT, Laws, Named, Sink, Subject, Visitor};
 use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
-use fixed::traits::Fixed as Number;
+use fixed::traits::Fixed as Format;
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use rand_pcg::Pcg32;
 
@@ -37,7 +37,7 @@ pub fn power() -> CosPower {
 /// A law in fixed point.
 pub fn integers<L>(law: L) -> impl Subject
 where
-    L: FixedLaw<Density: Number<Bits = u32>> + Named,
+    L: FixedLaw<Density: Format<Bits = u32>> + Named,
     L::Direction: AsRef<[I1F31]>,
 {
     InIntegers(Fixed(law))
@@ -47,7 +47,7 @@ struct InIntegers<L>(Fixed<L>);
 
 impl<L> Subject for InIntegers<L>
 where
-    L: FixedLaw<Density: Number<Bits = u32>> + Named,
+    L: FixedLaw<Density: Format<Bits = u32>> + Named,
     L::Direction: AsRef<[I1F31]>,
 {
     const LAW: &'static str = L::NAME;

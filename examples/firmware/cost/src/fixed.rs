@@ -5,7 +5,7 @@ use crate::inputs::{COUNT, FROM_END, TAILS};
 use crate::laws::EXPONENT;
 use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
-use fixed::traits::Fixed as Number;
+use fixed::traits::Fixed as Format;
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
@@ -58,7 +58,7 @@ impl<const N: usize> Zero for [I1F31; N] {
 
 fn law<L, D: Zero>(meter: &mut Meter, name: &'static str, l: &Fixed<L>, planar: bool)
 where
-    L: FixedLaw<Density: Number<Bits = u32>, Direction = D>,
+    L: FixedLaw<Density: Format<Bits = u32>, Direction = D>,
 {
     let word = |_: &Fixed<L>, x: I0F32| U0F32::from_bits(x.to_bits() as u32);
     let density = |_: &Fixed<L>, x: I0F32| L::Density::from_bits(x.to_bits() as u32);
