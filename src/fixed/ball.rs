@@ -36,25 +36,12 @@ impl Words for Ball {
     }
 
     #[inline]
-    fn turn(self, p: Tails) -> i32 {
-        spatial::turn(self.pair(p))
-    }
-
-    #[inline]
     fn tails(self, at: CosSin<i32>) -> Tails {
         match spatial::squares(at) {
             Ok((cos, sin)) => Tails {
                 lower: sin.saturating_add(mul_high(sin, cos)),
                 upper: mul_high(cos, cos),
             },
-            Err(outside) => outside,
-        }
-    }
-
-    #[inline]
-    fn tails_at(self, turn: i32) -> Tails {
-        match spatial::at_turn(turn) {
-            Ok(at) => self.tails(at),
             Err(outside) => outside,
         }
     }

@@ -166,11 +166,6 @@ impl Words for CosPower {
     }
 
     #[inline]
-    fn turn(self, p: Tails) -> i32 {
-        spatial::turn(self.pair(p))
-    }
-
-    #[inline]
     fn tails(self, at: CosSin<i32>) -> Tails {
         if at.sin < 0 {
             return Tails::BELOW;

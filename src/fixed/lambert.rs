@@ -26,22 +26,9 @@ impl Words for Lambert {
     }
 
     #[inline]
-    fn turn(self, p: Tails) -> i32 {
-        spatial::turn(self.pair(p))
-    }
-
-    #[inline]
     fn tails(self, at: CosSin<i32>) -> Tails {
         match spatial::squares(at) {
             Ok((upper, lower)) => Tails { lower, upper },
-            Err(outside) => outside,
-        }
-    }
-
-    #[inline]
-    fn tails_at(self, turn: i32) -> Tails {
-        match spatial::at_turn(turn) {
-            Ok(at) => self.tails(at),
             Err(outside) => outside,
         }
     }

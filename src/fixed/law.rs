@@ -1,5 +1,6 @@
 //! What each law computes in words, behind [`Fixed`](super::Fixed).
 
+use super::spatial;
 use crate::CosSin;
 use rand_core::Rng;
 
@@ -49,12 +50,25 @@ pub trait Words: Copy {
     type Direction;
 
     fn pair(self, p: Tails) -> CosSin<i32>;
-    fn turn(self, p: Tails) -> i32;
     fn tails(self, at: CosSin<i32>) -> Tails;
-    fn tails_at(self, turn: i32) -> Tails;
     fn density(self, at: CosSin<i32>) -> Self::Density;
     fn pdf(self, turn: i32) -> Self::Density;
     fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> Self::Direction;
+
+    // As in space; the laws of the plane, where θ has a sign, have their own.
+
+    #[inline]
+    fn turn(self, p: Tails) -> i32 {
+        spatial::turn(self.pair(p))
+    }
+
+    #[inline]
+    fn tails_at(self, turn: i32) -> Tails {
+        match spatial::at_turn(turn) {
+            Ok(at) => self.tails(at),
+            Err(outside) => outside,
+        }
+    }
 }
 
 /// The laws that [`Fixed`](super::Fixed) knows. Sealed.

@@ -40,22 +40,9 @@ impl Words for SphereShell {
     }
 
     #[inline]
-    fn turn(self, p: Tails) -> i32 {
-        spatial::turn(self.pair(p))
-    }
-
-    #[inline]
     fn tails(self, at: CosSin<i32>) -> Tails {
         match spatial::squares(at) {
             Ok((square, _)) => Tails::from_upper(mul_high(square, (at.cos as u32) << 1)),
-            Err(outside) => outside,
-        }
-    }
-
-    #[inline]
-    fn tails_at(self, turn: i32) -> Tails {
-        match spatial::at_turn(turn) {
-            Ok(at) => self.tails(at),
             Err(outside) => outside,
         }
     }
