@@ -45,7 +45,7 @@ pub(crate) fn types(out: &mut String, rows: &[Row], judged: &Judged, types: &[St
             format!("observed ({least} inputs or more)")
         };
         let right = match missed {
-            0 => "all".to_owned(),
+            0 => format!("all {tried}"),
             // Not to be rounded to all of them.
             _ if missed * 20_000 < tried => format!("all but {missed}"),
             _ => format!("{:.2} %", 100.0 * (1.0 - missed as f64 / tried as f64)),
