@@ -1,5 +1,8 @@
 //! What each law computes in words, behind [`Fixed`](super::Fixed).
 
+use super::format::Format;
+use super::q31::Q31;
+use super::spatial;
 use crate::CosSin;
 use rand_core::Rng;
 
@@ -41,23 +44,36 @@ impl Tails {
     };
 }
 
-/// A law in integers: cosines and sines in Q31, turns in Q32. Sealed.
-pub trait Words: Copy {
+/// A law in integers: cosines and sines in Q31, turns in Q32, to the accuracy of F. Sealed.
+pub trait Words<F: Format>: Copy {
     /// The format of its densities.
     type Density: Copy;
     /// What [`Fixed::sample`](super::Fixed::sample) returns.
     type Direction;
 
     fn pair(self, p: Tails) -> CosSin<i32>;
-    fn turn(self, p: Tails) -> i32;
     fn tails(self, at: CosSin<i32>) -> Tails;
-    fn tails_at(self, turn: i32) -> Tails;
     fn density(self, at: CosSin<i32>) -> Self::Density;
     fn pdf(self, turn: i32) -> Self::Density;
     fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> Self::Direction;
+
+    // As in space; the laws of the plane, where θ has a sign, have their own.
+
+    #[inline]
+    fn turn(self, p: Tails) -> i32 {
+        spatial::turn::<F>(self.pair(p))
+    }
+
+    #[inline]
+    fn tails_at(self, turn: i32) -> Tails {
+        match spatial::at_turn::<F>(turn) {
+            Ok(at) => self.tails(at),
+            Err(outside) => outside,
+        }
+    }
 }
 
 /// The laws that [`Fixed`](super::Fixed) knows. Sealed.
-pub trait FixedLaw: Words {}
+pub trait FixedLaw: Words<Q31> {}
 
-impl<L: Words> FixedLaw for L {}
+impl<L: Words<Q31>> FixedLaw for L {}

@@ -87,13 +87,15 @@ mod circle_arc;
 mod circle_shell;
 mod cos_power;
 mod disk;
-mod kernel;
+pub(crate) mod format;
+pub(crate) mod kernel;
 mod lambert;
-mod law;
+pub(crate) mod law;
 mod planar;
+mod q31;
 mod spatial;
 mod sphere_shell;
-mod words;
+pub(crate) mod words;
 
 pub use cos_power::CosPower;
 pub use law::FixedLaw;
