@@ -1,0 +1,68 @@
+//! Angles in turns to (cos, sin), and Kepler's equation for the disk.
+
+use super::table::{KEPLER, TURN_COS, TURN_SIN};
+use crate::fixed::kernel::poly::Polynomial;
+use crate::fixed::kernel::table::KEPLER_MIDDLE;
+
+/// (cos, sin) in Q31 of y eighths of a turn, y in Q16 below 1.
+#[inline(always)]
+pub(crate) fn eighth(y: u32) -> (u32, u32) {
+    eighth_by(y, &TURN_COS, &TURN_SIN)
+}
+
+/// The same by any polynomials, so that a test can spoil one.
+#[inline(always)]
+pub(crate) fn eighth_by<const A: usize, const B: usize>(
+    y: u32,
+    cos: &Polynomial<u32, A, 0>,
+    sin: &Polynomial<u32, B, 0>,
+) -> (u32, u32) {
+    let square = y * y;
+    (
+        (1 << 31) - (((square >> 16) * cos.at(square)) >> 2),
+        (y * sin.at(square)) >> 1,
+    )
+}
+
+/// (cos, sin) in Q31 of x quarter turns, x in Q32; 1 is 2³¹.
+#[inline(always)]
+pub(crate) fn quarter(x: u32) -> (u32, u32) {
+    let past = ((x as i32) >> 31) as u32;
+    let x = (x ^ past).wrapping_sub(past);
+    // An exact eighth is 2³²: taken as one unit less.
+    let (cos, sin) = eighth((x - (x >> 31)) >> 15);
+    let swap = (cos ^ sin) & past;
+    (cos ^ swap, sin ^ swap)
+}
+
+/// Largest magnitude that rounds to less than 1.
+pub(crate) const ONE: u32 = 0x7FFF_7FFF;
+
+/// `magnitude` with the sign of `sign`'s top bit, 1 saturated.
+#[inline(always)]
+pub(crate) fn signed(magnitude: u32, sign: u32) -> i32 {
+    let mask = (sign as i32) >> 31;
+    (magnitude.min(ONE) as i32 ^ mask) - mask
+}
+
+/// (cos, sin) in Q31 of `phase`·2⁻³² turns, ±1 saturated.
+#[inline(always)]
+pub(crate) fn cos_sin(phase: u32) -> (i32, i32) {
+    let (cos, sin) = quarter(phase << 2);
+    let swap = (cos ^ sin) & (((phase << 1) as i32) >> 31) as u32;
+    (
+        signed(cos ^ swap, phase ^ (phase << 1)),
+        signed(sin ^ swap, phase),
+    )
+}
+
+/// The angle from the nearer end in quarter turns, Q32 (1 saturates), at z = ∛p in Q32, p ≤ ½; rounded to the 17 bits that
+/// [`quarter`] reads.
+#[inline(always)]
+pub(crate) fn from_end(z: u32) -> u32 {
+    let high = z >> 16;
+    let square = high * high;
+    let x = (square + (square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
+    let more = high * KEPLER.at(x) as u32;
+    z.saturating_add(more.saturating_add(1 << 14)) & !0x7FFF
+}
