@@ -72,7 +72,7 @@ fn unit_pairs(planar: bool) -> Vec<u32> {
         let least = ((Q15 - 1.0).powi(2) - f64::from(cos).powi(2))
             .max(0.0)
             .sqrt();
-        for sin in (least as i16).saturating_sub(1)..=(sine.ceil() + 2.0).min(Q15 - 1.0) as i16 {
+        for sin in (least as i16 - 1).max(0)..=(sine.ceil() + 2.0).min(Q15 - 1.0) as i16 {
             for sin in if planar { vec![sin, -sin] } else { vec![sin] } {
                 let x = (u32::from(cos as u16) << 16) | u32::from(sin as u16);
                 if length_off(pair(x)) <= 1.0 {

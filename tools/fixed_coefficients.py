@@ -68,9 +68,9 @@ SHORT_SPECS = [
     ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y), (0, 1), -17.5, 16, "sin(pi y / 4) / y in y^2"),
     ("SQRT", lambda w: 1 / (1 + sqrt((1 + w) / 2)), (0, 1), -16.5, 16, "(1 - sqrt m) / (1 - m) in 2 m - 1"),
     ("CBRT", lambda w: 1 / (1 + cbrt((1 + w) / 2) + cbrt((1 + w) / 2) ** 2), (0, 1), -16.5, 16, "(1 - cbrt m) / (1 - m) in 2 m - 1"),
-    ("RECIP", lambda w: (1 - mpf(2) ** -16) / (1 + w), (0, 1), -17, 16, "(1 - 2^-16) / 2 m in 2 m - 1"),
+    ("RECIP", lambda w: 1 / (1 + w), (0, 1), -17, 16, "1 / 2 m in 2 m - 1"),
     ("ASIN", of_square(lambda s: asin(s) / s / (2 * pi)), (0, sin(pi / 8) ** 2 + mpf(2) ** -12), -18.5, 17, "asin s / (2 pi s) in s^2"),
-    ("KEPLER", kepler, (-mpf(KEPLER_MIDDLE) / 2**32, mpf(KEPLER_MIDDLE) / 2**32 + mpf(2) ** -12), -17, 16,
+    ("KEPLER", kepler, (-mpf(KEPLER_MIDDLE) / 2**32, mpf(KEPLER_MIDDLE) / 2**32 + mpf(2) ** -12), -18.5, 17,
      "eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p"),
 ]
 # Evaluated with unsigned words in x from 0 to 1 and signs that alternate.
@@ -142,13 +142,15 @@ def short():
         c, error = fit(series_free(f, *interval, n=36), interval, wanted, k)
         print(f"{name}, short: degree {len(c) - 1}, error 2^{mp.nstr(error, 4)}", flush=True)
         whole = [int(v * 2**k) for v in c]
-        if all((v > 0) == (i % 2 == 0) for i, v in enumerate(whole)):
+        steps = sums(c, interval, k)
+        if interval[0] == 0 and all((v > 0) == (i % 2 == 0) for i, v in enumerate(whole)):
             kind, limit, whole = "u32", 2**16, [abs(v) for v in whole]
         else:
             kind, limit = "i32", 2**15 - 2 * len(c)
             assert -0.5 <= interval[0] and interval[1] <= 0.5, name
-        # The last sum is multiplied too, by its user.
-        assert all(abs(v) < limit for s in sums(c, interval, k) for v in s), (name, whole)
+        # The last sum is multiplied too, by its user and without a sign.
+        assert all(abs(v) < limit for s in steps[:-1] for v in s), (name, whole)
+        assert all(0 < v < 2**16 + 1 for v in steps[-1]), (name, whole)
         lines += ["", f"/// {doc}; x from {mp.nstr(mpf(interval[0]), 6)} to {mp.nstr(mpf(interval[1]), 6)}; Q{k}; error 2^{mp.nstr(error, 4)}",
                   f"pub(crate) const {name}: Polynomial<{kind}, {len(c)}, 0> = Polynomial {{ small: {whole[::-1]}, large: [] }};"]
     write("src/fixed16/kernel/table.rs", lines)

@@ -1,7 +1,6 @@
 //! The format of [`Fixed16`](super::Fixed16).
 
-use super::kernel::turn::ONE;
-use super::kernel::{angle, root, turn};
+use super::kernel::{ONE, angle, root, turn};
 use super::{kernel, words};
 use crate::fixed::format::Format;
 use ::fixed::types::{I0F16, I1F15, U0F16};
@@ -56,7 +55,8 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn signed(magnitude: u32, sign: u32) -> i32 {
-        turn::signed(magnitude, sign)
+        let mask = (sign as i32) >> 31;
+        (magnitude.min(ONE) as i32 ^ mask) - mask
     }
 
     #[inline(always)]

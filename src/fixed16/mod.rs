@@ -137,5 +137,6 @@ impl<L: Fixed16Law> Fixed16<L> {
 #[inline]
 pub fn cos_sin(turn: I0F16) -> CosSin<I1F15> {
     let (cos, sin) = Q15::cos_sin(Q15::of_turn(turn) as u32);
+    let [cos, sin] = [cos, sin].map(|x| x.clamp(-(kernel::ONE as i32), kernel::ONE as i32));
     of_word(CosSin { cos, sin })
 }

@@ -13,6 +13,7 @@ const HALF_ROOT: u32 = 46341 + 2;
 /// Turned back by π/8 (1/16 turn), whose sine is short for a polynomial and reads both components.
 #[inline(always)]
 pub(crate) fn first_quadrant(cos: u32, sin: u32) -> u32 {
+    let (cos, sin) = (cos - (cos >> 31), sin - (sin >> 31));
     let (cos, sin) = (super::rounded(cos << 1), super::rounded(sin << 1));
     let (small, large) = if sin < cos { (sin, cos) } else { (cos, sin) };
     // A pair of unit length is not cut by this; any other stays in the polynomial's domain.

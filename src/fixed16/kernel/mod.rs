@@ -10,6 +10,9 @@ pub(crate) mod turn;
 #[cfg(test)]
 mod tests;
 
+/// Largest magnitude in Q31 that rounds to less than 1 in Q15.
+pub(crate) const ONE: u32 = 0x7FFF_7FFF;
+
 /// The product of the upper halves, in Q32.
 #[inline(always)]
 pub(crate) fn mul(a: u32, b: u32) -> u32 {

@@ -76,7 +76,8 @@ pub(crate) fn cbrt(x: u32) -> u32 {
 /// 1/(2d) in Q32, of d ≥ ½ in Q32.
 #[inline(always)]
 pub(crate) fn half_recip(d: u32) -> u32 {
-    RECIP.at(d << 1) << 16
+    let half = RECIP.at(d << 1);
+    (half << 16).wrapping_sub(half >> 16)
 }
 
 /// 1 − c² in Q32, of c in Q32: exact to 2 units, never 0.

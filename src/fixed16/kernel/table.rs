@@ -28,9 +28,9 @@ pub(crate) const CBRT: Polynomial<u32, 5, 0> = Polynomial {
     large: [],
 };
 
-/// (1 - 2^-16) / 2 m in 2 m - 1; x from 0.0 to 1.0; Q16; error 2^-17.0
-pub(crate) const RECIP: Polynomial<u32, 7, 0> = Polynomial {
-    small: [5135, 22489, 45330, 60042, 64800, 65501, 65535],
+/// 1 / 2 m in 2 m - 1; x from 0.0 to 1.0; Q16; error 2^-19.43
+pub(crate) const RECIP: Polynomial<u32, 8, 0> = Polynomial {
+    small: [3407, 16811, 38111, 55592, 63442, 65317, 65528, 65536],
     large: [],
 };
 
@@ -40,8 +40,8 @@ pub(crate) const ASIN: Polynomial<i32, 3, 0> = Polynomial {
     large: [],
 };
 
-/// eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p; x from -0.47247 to 0.472715; Q16; error 2^-17.3
-pub(crate) const KEPLER: Polynomial<i32, 7, 0> = Polynomial {
-    small: [2105, 2207, 2107, 3318, 5683, 12507, 9326],
+/// eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p; x from -0.47247 to 0.472715; Q17; error 2^-18.61
+pub(crate) const KEPLER: Polynomial<i32, 8, 0> = Polynomial {
+    small: [3351, 3284, 3065, 4567, 6795, 11328, 25009, 18653],
     large: [],
 };

@@ -3,6 +3,7 @@
 use super::table::{KEPLER, TURN_COS, TURN_SIN};
 use crate::fixed::kernel::poly::Polynomial;
 use crate::fixed::kernel::table::KEPLER_MIDDLE;
+use crate::fixed::kernel::turn::signed;
 
 /// (cos, sin) in Q31 of y eighths of a turn, y in Q16 below 1.
 #[inline(always)]
@@ -35,17 +36,7 @@ pub(crate) fn quarter(x: u32) -> (u32, u32) {
     (cos ^ swap, sin ^ swap)
 }
 
-/// Largest magnitude that rounds to less than 1.
-pub(crate) const ONE: u32 = 0x7FFF_7FFF;
-
-/// `magnitude` with the sign of `sign`'s top bit, 1 saturated.
-#[inline(always)]
-pub(crate) fn signed(magnitude: u32, sign: u32) -> i32 {
-    let mask = (sign as i32) >> 31;
-    (magnitude.min(ONE) as i32 ^ mask) - mask
-}
-
-/// (cos, sin) in Q31 of `phase`·2⁻³² turns, ±1 saturated.
+/// (cos, sin) in Q31 of `phase`·2⁻³² turns; ±1 saturate to ±(1 − 2⁻³¹).
 #[inline(always)]
 pub(crate) fn cos_sin(phase: u32) -> (i32, i32) {
     let (cos, sin) = quarter(phase << 2);
@@ -63,6 +54,7 @@ pub(crate) fn from_end(z: u32) -> u32 {
     let high = z >> 16;
     let square = high * high;
     let x = (square + (square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
-    let more = high * KEPLER.at(x) as u32;
+    // The sums are rounded down, by two units in the middle.
+    let more = (high * (KEPLER.at(x) as u32 + 2)) >> 1;
     z.saturating_add(more.saturating_add(1 << 14)) & !0x7FFF
 }
