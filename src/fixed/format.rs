@@ -30,13 +30,13 @@ pub trait Format: Copy {
     fn mul(a: u32, b: u32) -> u32;
     /// x times a constant, whose rounding costs nothing.
     fn times(x: u32, constant: u32) -> u32;
-    /// √x in Q31.
+    /// √x in Q31, of a probability.
     fn sqrt(x: u32) -> u32;
-    /// √(x·2⁻ᵉ) in Q32.
+    /// √(x·2⁻ᵉ) in Q32, of x ≥ ⅛.
     fn scaled(x: u32, e: u32) -> u32;
-    /// ⁴√x in Q31 and √x in Q32.
+    /// ⁴√x in Q31 and √x in Q32, of a probability.
     fn fourth(x: u32) -> (u32, u32);
-    /// ∛x in Q32.
+    /// ∛x in Q32, of a probability.
     fn cbrt(x: u32) -> u32;
     /// 1/(2d) of d ≥ ½.
     fn half_recip(d: u32) -> u32;

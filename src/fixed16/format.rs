@@ -71,12 +71,12 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn sqrt(x: u32) -> u32 {
-        root::scaled(x, 0) >> 1
+        root::sqrt(x)
     }
 
     #[inline(always)]
     fn scaled(x: u32, e: u32) -> u32 {
-        root::scaled(x, e)
+        root::scaled::<4>(x, e)
     }
 
     #[inline(always)]

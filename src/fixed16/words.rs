@@ -1,7 +1,6 @@
 //! From a generator's words to the numbers that samplers start from.
 
 use super::kernel::root::{less_square, scaled};
-use super::kernel::rounded;
 use super::kernel::turn::eighth;
 use ::fixed::types::I1F15;
 use rand_core::Rng;
@@ -45,14 +44,20 @@ fn signed(magnitude: u32, sign: u32) -> I1F15 {
 /// bits are the signs, one exchanges cos φ and sin φ, the next 16 are |φ| in eighths of a turn.
 #[inline(always)]
 pub(crate) fn spatial(cos: u32, phase: u32) -> [I1F15; 3] {
-    let sin = rounded(scaled(less_square(cos), 0));
+    let sin = scaled::<32>(less_square(cos), 0) >> 16;
     let (x, z) = eighth((phase << 3) >> 16);
     let swap = (x ^ z) & (((phase << 2) as i32) >> 31) as u32;
-    let part = |q31: u32| (sin * rounded(q31 << 1) + (1 << 16)) >> 17;
+    // Both factors are rounded down, by half a unit in the middle; below 1, so that neither sum overflows.
+    let part = |q31: u32| {
+        let part = q31 >> 15;
+        (sin * part + ((sin + part) >> 1) + 0xFFFF) >> 17
+    };
+    // From 0 to 1, less one unit; and to at least one, without a comparison.
     let along = ((cos >> 16) + 1) >> 1;
+    let along = along - (along >> 15) + (along.wrapping_sub(1) >> 31);
     [
         signed(part(x ^ swap), phase << 1),
-        I1F15::from_bits(along.clamp(1, 0x7FFF) as i16),
+        I1F15::from_bits(along as i16),
         signed(part(z ^ swap), phase),
     ]
 }

@@ -4,7 +4,7 @@
 
 use super::mul;
 use super::table::{CBRT, RECIP, SQRT};
-use crate::fixed::kernel::normal::normal;
+use crate::fixed::kernel::normal::normal_below;
 use crate::fixed::kernel::poly::Polynomial;
 use crate::fixed::kernel::sqrt::halve;
 
@@ -32,37 +32,43 @@ fn sqrt_of(m: u32, odd: u32) -> u32 {
     }
 }
 
-/// √(x·2⁻ᵉ) in Q32, of x in Q32, e < 2³⁰.
+/// √(x·2⁻ᵉ) in Q32, of x = 0 or ≥ 2^(32 − `LIMIT`) in Q32, e < 2³⁰.
 #[inline(always)]
-pub(crate) fn scaled(x: u32, e: u32) -> u32 {
+pub(crate) fn scaled<const LIMIT: u32>(x: u32, e: u32) -> u32 {
     if x == 0 {
         return 0;
     }
-    let (m, shift) = normal(x);
+    let (m, shift) = normal_below::<LIMIT>(x);
     let e = e.wrapping_add(shift);
     sqrt_of(m, e & 1) >> (e >> 1).min(31)
 }
 
-/// ⁴√x in Q31 and √x in Q32, of x in Q32.
+/// √x in Q31, of x in Q16.
+#[inline(always)]
+pub(crate) fn sqrt(x: u32) -> u32 {
+    scaled::<16>(x, 0) >> 1
+}
+
+/// ⁴√x in Q31 and √x in Q32, of x in Q16.
 #[inline(always)]
 pub(crate) fn fourth(x: u32) -> (u32, u32) {
     if x == 0 {
         return (0, 0);
     }
-    let (m, shift) = normal(x);
+    let (m, shift) = normal_below::<16>(x);
     // The error must not leave the mantissa's range.
     let root = sqrt_of(m, shift & 1) | (1 << 31);
     let e = shift >> 1;
     (halve(sqrt_of(root, e & 1) >> (e >> 1)), root >> e)
 }
 
-/// ∛x in Q32, of x in Q32.
+/// ∛x in Q32, of x in Q16.
 #[inline(always)]
 pub(crate) fn cbrt(x: u32) -> u32 {
     if x == 0 {
         return 0;
     }
-    let (m, shift) = normal(x);
+    let (m, shift) = normal_below::<16>(x);
     let root = of_mantissa(m, &CBRT);
     let third = (shift * 171) >> 9;
     let root = match shift - 3 * third {
@@ -93,5 +99,5 @@ pub(crate) fn complement(v: u32) -> u32 {
     if v == 0 {
         return 0;
     }
-    halve(scaled(less_square(!v), 0))
+    halve(scaled::<32>(less_square(!v), 0))
 }

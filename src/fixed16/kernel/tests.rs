@@ -24,8 +24,13 @@ fn worst(inputs: impl Iterator<Item = u32>, error: impl Fn(u32) -> f64) -> (f64,
 
 /// All half-words, then words of all magnitudes.
 fn words() -> impl Iterator<Item = u32> {
-    let scattered = (0..1u32 << 22).map(|i| i.wrapping_mul(0x9E37_79B9) >> (i & 31));
+    let scattered = (1..1u32 << 22).map(|i| i.wrapping_mul(0x9E37_79B9) >> (i & 31));
     (0..1 << 16).map(|x| x << 16).chain(scattered)
+}
+
+/// Those that are 0 or have a bit in the upper half.
+fn long(x: u32) -> u32 {
+    if x >> 16 == 0 { x << 16 } else { x }
 }
 
 fn turn_off(phase: u32, (cos, sin): (i16, i16)) -> f64 {
@@ -56,15 +61,20 @@ fn angle_error(phase: u32) -> f64 {
 }
 
 fn sqrt_error(x: u32) -> f64 {
-    (f64::from(root::scaled(x, 0)) / Q32 - (f64::from(x) / Q32).sqrt()).abs() * Q15
+    if x == 0 {
+        return 0.0;
+    }
+    (f64::from(root::scaled::<32>(x, 0)) / Q32 - (f64::from(x) / Q32).sqrt()).abs() * Q15
 }
 
 fn fourth_error(x: u32) -> f64 {
+    let x = long(x);
     let (fourth, _) = root::fourth(x);
     (f64::from(fourth) / Q31 - (f64::from(x) / Q32).sqrt().sqrt()).abs() * Q15
 }
 
 fn cbrt_error(x: u32) -> f64 {
+    let x = long(x);
     (f64::from(root::cbrt(x)) / Q32 - (f64::from(x) / Q32).cbrt()).abs() * Q15
 }
 

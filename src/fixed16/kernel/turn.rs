@@ -5,7 +5,7 @@ use crate::fixed::kernel::poly::Polynomial;
 use crate::fixed::kernel::table::KEPLER_MIDDLE;
 use crate::fixed::kernel::turn::signed;
 
-/// (cos, sin) in Q31 of y eighths of a turn, y in Q16 below 1.
+/// (cos, sin) in Q31 of y eighths of a turn, y in Q16 below 1; both are below 1.
 #[inline(always)]
 pub(crate) fn eighth(y: u32) -> (u32, u32) {
     eighth_by(y, &TURN_COS, &TURN_SIN)
@@ -20,12 +20,12 @@ pub(crate) fn eighth_by<const A: usize, const B: usize>(
 ) -> (u32, u32) {
     let square = y * y;
     (
-        (1 << 31) - (((square >> 16) * cos.at(square)) >> 2),
+        i32::MAX as u32 - (((square >> 16) * cos.at(square)) >> 2),
         (y * sin.at(square)) >> 1,
     )
 }
 
-/// (cos, sin) in Q31 of x quarter turns, x in Q32; 1 is 2³¹.
+/// (cos, sin) in Q31 of x quarter turns, x in Q32.
 #[inline(always)]
 pub(crate) fn quarter(x: u32) -> (u32, u32) {
     let past = ((x as i32) >> 31) as u32;
