@@ -4,6 +4,11 @@
 
 #[path = "fixed16/corners.rs"]
 mod corners;
+#[path = "fixed16/maps.rs"]
+mod maps;
+#[path = "fixed16/samples.rs"]
+mod samples;
+mod stats;
 #[path = "fixed16/subject.rs"]
 mod subject;
 #[path = "fixed/truth.rs"]

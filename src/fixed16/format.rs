@@ -96,7 +96,7 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn complement(v: u32) -> u32 {
-        root::complement(v)
+        root::complement::<16>(v)
     }
 
     #[inline(always)]
@@ -141,6 +141,6 @@ impl Format for Q15 {
     fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 2] {
         let v = rng.next_u32();
         let (sin, sign) = (!v >> 1, v << 31);
-        crate::fixed::words::planar::<Q15>(root::complement(v | 1), sin, sign)
+        crate::fixed::words::planar::<Q15>(root::complement::<32>(v | 1), sin, sign)
     }
 }

@@ -93,11 +93,11 @@ pub(crate) fn less_square(c: u32) -> u32 {
     !(mul(c, c) + ((high * low) >> 15))
 }
 
-/// √(v (2 − v)) in Q31, of v in Q32.
+/// √(v (2 − v)) in Q31, of v = 0 or ≥ 2^(32 − `LIMIT`) in Q32.
 #[inline(always)]
-pub(crate) fn complement(v: u32) -> u32 {
+pub(crate) fn complement<const LIMIT: u32>(v: u32) -> u32 {
     if v == 0 {
         return 0;
     }
-    halve(scaled::<32>(less_square(!v), 0))
+    halve(scaled::<LIMIT>(less_square(!v), 0))
 }

@@ -86,7 +86,7 @@ fn recip_error(x: u32) -> f64 {
 /// √(1 − x²) for x = 1 − v.
 fn complement_error(v: u32) -> f64 {
     let d = f64::from(v) / Q32;
-    (f64::from(root::complement(v)) / Q31 - (d * (2.0 - d)).sqrt()).abs() * Q15
+    (f64::from(root::complement::<32>(v)) / Q31 - (d * (2.0 - d)).sqrt()).abs() * Q15
 }
 
 /// Against p at the angle found, divided by the slope: no inverse is called for.
