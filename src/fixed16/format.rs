@@ -66,7 +66,7 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn times(x: u32, constant: u32) -> u32 {
-        (x >> 16) * kernel::rounded(constant)
+        (((x >> 15) + 1) >> 1) * kernel::rounded(constant)
     }
 
     #[inline(always)]

@@ -55,6 +55,7 @@ pub(crate) fn from_end(z: u32) -> u32 {
     let square = high * high;
     let x = (square + (square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
     // The sums are rounded down, by two units in the middle.
-    let more = (high * (KEPLER.at(x) as u32 + 2)) >> 1;
-    z.saturating_add(more.saturating_add(1 << 14)) & !0x7FFF
+    let more = (high * (KEPLER.at(x) as u32 + 2)) >> 2;
+    let rounded = ((z >> 1) + more + (1 << 13)) >> 14;
+    (rounded - (rounded >> 17)) << 15
 }
