@@ -13,6 +13,8 @@ mod stats;
 mod subject;
 #[path = "fixed/truth.rs"]
 mod truth;
+#[path = "fixed16/wrong.rs"]
+mod wrong;
 
 use coslobe::CosSin;
 use fixed::types::I1F15;
@@ -160,7 +162,7 @@ const BOUNDS: [(&str, [f64; 10]); 6] = [
     ),
     (
         "CircleArc",
-        [1.0, 1.0, 1.0, 0.25, 0.0, 0.0, 0.5, 0.5, 1.51, 0.25],
+        [1.0, 1.0, 1.0, 0.25, 0.0, 0.0, 0.51, 0.51, 1.51, 0.25],
     ),
     (
         "Ball",
