@@ -4,6 +4,8 @@
 
 #[path = "fixed16/corners.rs"]
 mod corners;
+#[path = "fixed16/golden.rs"]
+mod golden;
 #[path = "fixed16/maps.rs"]
 mod maps;
 #[path = "fixed16/samples.rs"]
