@@ -8,6 +8,8 @@ mod corners;
 mod golden;
 #[path = "fixed16/maps.rs"]
 mod maps;
+#[path = "fixed16/pairs.rs"]
+mod pairs;
 #[path = "fixed16/samples.rs"]
 mod samples;
 mod stats;
@@ -20,6 +22,7 @@ mod wrong;
 
 use coslobe::CosSin;
 use fixed::types::I1F15;
+use pairs::{length_off, pair, unit_pairs};
 use subject::{Pair, Subject, subjects};
 
 const Q15: f64 = 32768.0;
@@ -58,39 +61,6 @@ fn turn_off(got: i16, want: f64) -> f64 {
 /// [p, 1 − p].
 fn tails(p: u16) -> [f64; 2] {
     [f64::from(p) / Q16, (Q16 - f64::from(p)) / Q16]
-}
-
-fn length_off(at: Pair) -> f64 {
-    (f64::from(at.cos.to_bits()).hypot(f64::from(at.sin.to_bits())) - Q15).abs()
-}
-
-/// The two words of an input.
-fn pair(x: u32) -> Pair {
-    CosSin {
-        cos: I1F15::from_bits((x >> 16) as i16),
-        sin: I1F15::from_bits(x as i16),
-    }
-}
-
-/// All pairs in the closed support whose length is 1 to a unit.
-fn unit_pairs(planar: bool) -> Vec<u32> {
-    let mut pairs = Vec::new();
-    for cos in 0..=i16::MAX {
-        let sine = (Q15 * Q15 - f64::from(cos).powi(2)).sqrt();
-        // Beside the axis many sines are as good, elsewhere one or two.
-        let least = ((Q15 - 1.0).powi(2) - f64::from(cos).powi(2))
-            .max(0.0)
-            .sqrt();
-        for sin in (least as i16 - 1).max(0)..=(sine.ceil() + 2.0).min(Q15 - 1.0) as i16 {
-            for sin in if planar { vec![sin, -sin] } else { vec![sin] } {
-                let x = (u32::from(cos as u16) << 16) | u32::from(sin as u16);
-                if length_off(pair(x)) <= 1.0 {
-                    pairs.push(x);
-                }
-            }
-        }
-    }
-    pairs
 }
 
 type Row = (&'static str, fn(&Subject, u32) -> f64);

@@ -1,6 +1,6 @@
 //! Any pair, both ends, and order.
 
-use crate::pair;
+use crate::pairs::pair;
 use crate::subject::{Subject, subjects};
 use coslobe::{Fixed16, Lambert};
 use fixed::types::U0F16;

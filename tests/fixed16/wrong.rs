@@ -1,7 +1,8 @@
 //! Wrong laws, which the exhaustive errors must catch.
 
+use crate::pairs::unit_pairs;
 use crate::subject::{Pair, Subject, subjects};
-use crate::{PAIRS, Q15, WORDS, Worst, unit_pairs};
+use crate::{PAIRS, Q15, WORDS, Worst};
 use coslobe::{Ball, CosSin, Fixed16};
 use fixed::types::{I1F15, U0F16};
 
