@@ -8,8 +8,6 @@ mod corners;
 mod cos_power;
 #[path = "fixed/reference.rs"]
 mod reference;
-#[path = "fixed/truth.rs"]
-mod truth;
 
 use coslobe::CosSin;
 use fixed::types::{I1F31, U0F32};

@@ -20,7 +20,6 @@ mod truth;
 #[path = "fixed16/wrong.rs"]
 mod wrong;
 
-use coslobe::CosSin;
 use fixed::types::I1F15;
 use pairs::{length_off, pair, unit_pairs};
 use subject::{Pair, Subject, subjects};

@@ -1,7 +1,5 @@
 //! The number types.
 
-use coslobe_common::LAWS;
-
 /// As the firmware's build scripts and the documentation name them.
 pub(crate) const TYPES: [&str; 6] = [
     "f32",
@@ -14,14 +12,3 @@ pub(crate) const TYPES: [&str; 6] = [
 
 /// Fixed point.
 pub(crate) const FIXED: &str = "Fixed";
-
-/// The laws in a type.
-pub(crate) fn laws(number: &str) -> &'static [&'static str] {
-    // A real exponent has no fixed point.
-    if number == FIXED { &LAWS[..6] } else { &LAWS }
-}
-
-/// How many laws there are in all types together.
-pub(crate) fn subjects() -> usize {
-    TYPES.iter().map(|number| laws(number).len()).sum()
-}

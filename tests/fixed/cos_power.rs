@@ -1,6 +1,6 @@
 //! Real exponents against `f64`.
 
-use crate::reference::{Q31, Q32};
+use crate::reference::{Q31, Q32, power_pair};
 use crate::{Worst, off, pair_off, tails, turn_off, worst};
 use coslobe::{CosSin, Fixed};
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
@@ -40,19 +40,7 @@ fn cos_power_in_strides() {
     for (k, bounds) in POWERS {
         let law = Fixed(coslobe::fixed::CosPower::new(U16F16::from_num(k)));
         let n = k + 1.0;
-        let pair = |lower: f64, upper: f64| {
-            let log = if upper > 0.5 {
-                (-lower).ln_1p()
-            } else {
-                upper.ln()
-            } / n;
-            let square = if upper == 0.0 {
-                1.0
-            } else {
-                -(2.0 * log).exp_m1()
-            };
-            (log.exp(), square.sqrt())
-        };
+        let pair = |lower, upper| power_pair(k, lower, upper);
         // θ of the first quadrant.
         let theta = |x: u32| (I0F32::from_bits((x >> 2) as i32), f64::from(x >> 2) / Q32);
         let off_wide = |got: U16F16, want: f64| (f64::from(got.to_bits()) - want * 65536.0).abs();

@@ -47,18 +47,19 @@ fn kepler(x: f64) -> f64 {
     y
 }
 
+/// (cos θ, sin θ) of the law ∝ cosᵏ in space at the tails.
+pub fn power_pair(k: f64, lower: f64, upper: f64) -> (f64, f64) {
+    let n = k + 1.0;
+    // sin² = 1 − (1 − u)^(2/n) without a difference.
+    let square = -(2.0 / n * (-lower).ln_1p()).exp_m1();
+    (upper.powf(1.0 / n), square.sqrt())
+}
+
 impl Truth {
     /// (cos θ, sin θ) at the tails.
     pub fn pair(&self, lower: f64, upper: f64) -> (f64, f64) {
         if !self.planar {
-            let n = f64::from(self.k + 1);
-            // sin² = 1 − (1 − u)^(2/n) without a difference.
-            let square = if upper > 0.0 {
-                -(2.0 / n * (-lower).ln_1p()).exp_m1()
-            } else {
-                1.0
-            };
-            return (upper.powf(1.0 / n), square.sqrt());
+            return power_pair(f64::from(self.k), lower, upper);
         }
         let (p, sign) = if lower < upper {
             (lower, -1.0)

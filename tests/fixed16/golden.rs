@@ -87,7 +87,7 @@ fn values_are_stable() {
     );
     let [disk, ..] = subjects();
     let spoiled = Subject {
-        isf: |p| (disk_isf(p) ^ i16::from(p == 7)),
+        isf: |p| disk_isf(p) ^ i16::from(p == 7),
         ..disk
     };
     let mut other = String::new();

@@ -10,6 +10,7 @@ fn main() {
     let law = env::var("COSLOBE_LAW").unwrap_or("Lambert".to_owned());
     let number = env::var("COSLOBE_TYPE").unwrap_or("f32".to_owned());
     let subject = match law.as_str() {
+        "CosPower" if number == "Fixed" => "integers(power())".to_owned(),
         _ if number == "Fixed" => format!("integers({law})"),
         "Disk" | "CircleShell" | "CircleArc" => format!("planar::<_, {number}>({law})"),
         "CosPower" => format!(

@@ -1,9 +1,10 @@
 //! Absolute errors of directions in integers: their unit does not shrink with the component.
 
-use super::formulas::lambert_by_idsp;
-use crate::fixed_reference::{Q31, Q32, subjects};
-use coslobe::CosSin;
-use fixed::types::I1F31;
+use super::formulas::{EXPONENT, lambert_by_idsp};
+use crate::fixed_reference::{Q31, Q32, power_pair, subjects};
+use coslobe::fixed::CosPower;
+use coslobe::{CosSin, Fixed};
+use fixed::types::{I1F31, U0F32, U16F16};
 
 /// Words in each octave from either end.
 const PER_OCTAVE: u32 = 256;
@@ -31,18 +32,36 @@ fn words() -> impl Iterator<Item = u32> {
     near.clone().chain(near.map(|w| !w))
 }
 
-/// Of both entries, of which a sample's error is that of the law's nearer one.
 fn ours(law: &str) -> Option<f64> {
+    if law == "CosPower(20)" {
+        let lobe = Fixed(CosPower::new(U16F16::from_num(EXPONENT)));
+        return Some(worst(
+            |w| lobe.warp(U0F32::from_bits(w)),
+            |w| lobe.warp_sf(U0F32::from_bits(w)),
+            |lower, upper| power_pair(EXPONENT.into(), lower, upper),
+        ));
+    }
     let law = subjects().into_iter().find(|s| s.name == law)?;
+    Some(worst(law.warp, law.warp_sf, |lower, upper| {
+        law.pair(lower, upper)
+    }))
+}
+
+/// Of both entries, of which a sample's error is that of the law's nearer one.
+fn worst(
+    warp: impl Fn(u32) -> CosSin<I1F31>,
+    warp_sf: impl Fn(u32) -> CosSin<I1F31>,
+    pair: impl Fn(f64, f64) -> (f64, f64),
+) -> f64 {
     let off = |got: CosSin<I1F31>, (cos, sin): (f64, f64)| {
         let of = |got: I1F31, want: f64| (f64::from(got.to_bits()) / Q31 - want).abs();
         of(got.cos, cos).max(of(got.sin, sin))
     };
     let each = words().map(|w| {
         let (p, rest) = (f64::from(w) / Q32, (Q32 - f64::from(w)) / Q32);
-        off((law.warp)(w), law.pair(p, rest)).max(off((law.warp_sf)(w), law.pair(rest, p)))
+        off(warp(w), pair(p, rest)).max(off(warp_sf(w), pair(rest, p)))
     });
-    Some(each.fold(0.0, f64::max))
+    each.fold(0.0, f64::max)
 }
 
 /// At a fixed azimuth of 0.3 turns; a word w is the uniform (w + ½)·2⁻³².
@@ -65,8 +84,10 @@ mod tests {
 
     #[test]
     fn integers_err_by_units() {
-        let ours = error("fixed", "Lambert", "sample").unwrap();
-        assert!(ours > 0.0 && ours <= 4.0 / Q31, "{ours:e}");
+        for law in ["Lambert", "CosPower(20)"] {
+            let ours = error("fixed", law, "sample").unwrap();
+            assert!(ours > 0.0 && ours <= 4.0 / Q31, "{law}: {ours:e}");
+        }
         let idsp = error("idsp", "Lambert", "sample").unwrap();
         assert!((1e-6..1e-4).contains(&idsp), "{idsp:e}");
         assert_eq!(error("f32", "Lambert", "sample"), None);

@@ -16,7 +16,7 @@ const SINGLE: &str = "everything::<f32>(x, rng) + everything::<Fast<f32>>(x, rng
 /// Every operation in the types that compute in `f64`.
 const DOUBLE: &str = "everything::<f64>(x, rng) + everything::<Precise<f32>>(x, rng) \
                       + everything::<Precise<f64>>(x, rng)";
-/// Every operation in fixed point.
+/// Every operation in fixed point, and checks of it.
 const FIXED: &str = "fixed_everything(x, rng)";
 /// What is planted, beside little else.
 const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";

@@ -1,10 +1,11 @@
 //! Laws in fixed point.
 
 use crate::input::mix;
-use crate::{Laws, Named, Sink, Subject, Visitor};
-use coslobe::fixed::FixedLaw;
+use crate::{EXPONENT, Laws, Named, Sink, Subject, Visitor};
+use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
-use fixed::types::{I0F32, I1F31, U0F32};
+use fixed::traits::Fixed as Format;
+use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use rand_pcg::Pcg32;
 
 /// The number type of [`coslobe::Fixed`].
@@ -18,13 +19,25 @@ impl Laws for Integers {
         visitor.visit(&integers(Ball));
         visitor.visit(&integers(SphereShell));
         visitor.visit(&integers(Lambert));
+        visitor.visit(&integers(power()));
     }
+}
+
+impl Named for CosPower {
+    const NAME: &'static str = "CosPower";
+}
+
+/// `CosPower` with the exponent nearest to [`EXPONENT`].
+pub fn power() -> CosPower {
+    // Rounded by the compiler: firmware in integers has no floats.
+    const NEAREST: U16F16 = U16F16::from_bits((EXPONENT * 65536.0 + 0.5) as u32);
+    CosPower::new(NEAREST)
 }
 
 /// A law in fixed point.
 pub fn integers<L>(law: L) -> impl Subject
 where
-    L: FixedLaw<Density = U0F32> + Named,
+    L: FixedLaw<Density: Format<Bits = u32>> + Named,
     L::Direction: AsRef<[I1F31]>,
 {
     InIntegers(Fixed(law))
@@ -34,7 +47,7 @@ struct InIntegers<L>(Fixed<L>);
 
 impl<L> Subject for InIntegers<L>
 where
-    L: FixedLaw<Density = U0F32> + Named,
+    L: FixedLaw<Density: Format<Bits = u32>> + Named,
     L::Direction: AsRef<[I1F31]>,
 {
     const LAW: &'static str = L::NAME;

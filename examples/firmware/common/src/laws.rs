@@ -3,7 +3,7 @@
 use crate::{Number, Subject, planar, spatial};
 use coslobe::{Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, SphereShell};
 
-/// All laws, in the order of [`Laws::each`]; fixed point has all but the last.
+/// All laws, in the order of [`Laws::each`].
 pub const LAWS: [&str; 7] = [
     Disk::NAME,
     CircleShell::NAME,

@@ -22,7 +22,7 @@ mod subject;
 pub use answer::{Answer, answer};
 pub use directions::directions;
 pub use hash::Hash;
-pub use integers::{Integers, integers};
+pub use integers::{Integers, integers, power};
 pub use laws::{EXPONENT, LAWS, Laws, Named, Visitor};
 pub use number::Number;
 pub use planar::planar;

@@ -2,9 +2,11 @@
 
 use crate::Meter;
 use crate::inputs::{COUNT, FROM_END, TAILS};
-use coslobe::fixed::FixedLaw;
+use crate::laws::EXPONENT;
+use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
-use fixed::types::{I0F32, I1F31, U0F32};
+use fixed::traits::Fixed as Format;
+use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
@@ -41,6 +43,8 @@ pub fn every_fixed_law(meter: &mut Meter) {
     law(meter, "Ball", &Fixed(Ball), false);
     law(meter, "SphereShell", &Fixed(SphereShell), false);
     law(meter, "Lambert", &Fixed(Lambert), false);
+    let power = CosPower::new(U16F16::from_num(EXPONENT));
+    law(meter, "CosPower(20)", &Fixed(power), false);
 }
 
 /// A constant of a direction's type.
@@ -54,17 +58,19 @@ impl<const N: usize> Zero for [I1F31; N] {
 
 fn law<L, D: Zero>(meter: &mut Meter, name: &'static str, l: &Fixed<L>, planar: bool)
 where
-    L: FixedLaw<Density = U0F32, Direction = D>,
+    L: FixedLaw<Density: Format<Bits = u32>, Direction = D>,
 {
     let word = |_: &Fixed<L>, x: I0F32| U0F32::from_bits(x.to_bits() as u32);
+    let density = |_: &Fixed<L>, x: I0F32| L::Density::from_bits(x.to_bits() as u32);
     let turn = |_: &Fixed<L>, p: U0F32| I0F32::from_bits(p.to_bits() as i32);
     let (theta, at, p) = (turns(planar), pairs(planar), probabilities());
     meter.law(name);
-    meter.call("pdf", l, &theta, Fixed::pdf, word);
+    meter.call("pdf", l, &theta, Fixed::pdf, density);
     meter.call("cdf", l, &theta, Fixed::cdf, word);
     meter.call("sf", l, &theta, Fixed::sf, word);
     let cos = |_: &Fixed<L>, at: CosSin<I1F31>| U0F32::from_bits(at.cos.to_bits() as u32);
-    meter.call("density", l, &at, Fixed::density, cos);
+    let density = |_: &Fixed<L>, at: CosSin<I1F31>| L::Density::from_bits(at.cos.to_bits() as u32);
+    meter.call("density", l, &at, Fixed::density, density);
     meter.call("unwarp", l, &at, Fixed::unwarp, cos);
     meter.call("unwarp_sf", l, &at, Fixed::unwarp_sf, cos);
     let both = |_: &Fixed<L>, p: U0F32| {

@@ -10,7 +10,7 @@ use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
 /// Exponent of the power law that is counted: that of `examples/accuracy_cost`.
-const EXPONENT: f64 = 20.0;
+pub(crate) const EXPONENT: f64 = 20.0;
 
 /// A number type that the inputs are rounded to.
 pub trait Number: Real + core::ops::Neg<Output = Self> {

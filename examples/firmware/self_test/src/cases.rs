@@ -2,16 +2,41 @@
 //! compare verdicts.
 
 use core::convert::Infallible;
-use coslobe::check::{self, Alarm, Check, Fault, InSpace, Invalid, Place, Report, Subject};
+use coslobe::check::{
+    self, Alarm, Check, Fault, InFixed, InSpace, Invalid, Place, Report, Subject,
+};
+use coslobe::fixed::CosPower;
 use coslobe::rand_core::{Rng, TryRng};
-use coslobe::{CircleArc, CircleShell, Disk, Fast, Lambert, Planar, SphereShell};
+use coslobe::{CircleArc, CircleShell, Disk, Fast, Fixed, Lambert, Planar, SphereShell};
+use fixed::types::U16F16;
 use rand_pcg::Pcg32;
 
-/// What can be asked for.
-pub(crate) const NAMES: [&str; 13] = [
-    "good", "fast", "plane", "cost", "stuck", "ones", "bit", "biased", "period", "counter", "law",
-    "arc", "nan",
+/// What can be asked for; `fixed` in integers. The last word is the fault.
+pub(crate) const NAMES: [&str; 20] = [
+    "good",
+    "fast",
+    "plane",
+    "cost",
+    "stuck",
+    "ones",
+    "bit",
+    "biased",
+    "period",
+    "counter",
+    "law",
+    "arc",
+    "nan",
+    "fixed",
+    "fixed-plane",
+    "fixed-power",
+    "fixed-stuck",
+    "fixed-plane-biased",
+    "fixed-power-bit",
+    "fixed-power-law",
 ];
+
+/// The exponent of `fixed-power`.
+const EXPONENT: U16F16 = U16F16::lit("7.3");
 
 /// The verdict on a case; none for a name that is not in [`NAMES`].
 pub(crate) fn verdict(name: &str) -> Option<Result<Report, Fault>> {
@@ -21,18 +46,18 @@ pub(crate) fn verdict(name: &str) -> Option<Result<Report, Fault>> {
         "fast" => judge(check::spatial::<Fast<f32>, _>(SphereShell), rng),
         "plane" => judge(check::planar::<f32, _>(Disk), rng),
         "law" => judge(Check::new(LambertForShell), rng),
-        "arc" => {
-            let mut check = check::planar::<f32, _>(CircleShell);
-            for _ in 0..check::SAMPLES {
-                check.feed(&Planar::sample(&CircleArc, rng));
-            }
-            check.verdict(Alarm::OneInBillion)
-        }
+        "arc" => fed(check::planar::<f32, _>(CircleShell), || {
+            Planar::sample(&CircleArc, rng)
+        }),
         "nan" => {
             let mut check = check::spatial::<f32, _>(Lambert);
             check.feed(&[f32::NAN, 0.8, 0.6]);
             check.verdict(Alarm::OneInBillion)
         }
+        "fixed" | "fixed-stuck" => judge(check::fixed(Fixed(Lambert)), rng),
+        "fixed-plane" | "fixed-plane-biased" => judge(check::fixed(Fixed(Disk)), rng),
+        "fixed-power" | "fixed-power-bit" => judge(power(), rng),
+        "fixed-power-law" => fed(power(), || Fixed(SphereShell).sample(rng)),
         _ => judge(check::spatial::<f32, _>(Lambert), rng),
     })
 }
@@ -42,9 +67,27 @@ fn judge<S: Subject>(mut check: Check<S>, rng: &mut Generator) -> Result<Report,
     check.verdict(Alarm::OneInBillion)
 }
 
+/// From samples alone.
+fn fed<S: Subject>(
+    mut check: Check<S>,
+    mut draw: impl FnMut() -> S::Sample,
+) -> Result<Report, Fault> {
+    for _ in 0..check::SAMPLES {
+        check.feed(&draw());
+    }
+    check.verdict(Alarm::OneInBillion)
+}
+
+fn power() -> Check<InFixed<CosPower>> {
+    check::fixed(Fixed(CosPower::new(EXPONENT)))
+}
+
 /// The generator of a case.
 pub(crate) fn generator(name: &str) -> Option<Generator> {
-    let fault: fn(u32, u32) -> u32 = match name {
+    if !NAMES.contains(&name) {
+        return None;
+    }
+    let fault: fn(u32, u32) -> u32 = match name.rsplit('-').next()? {
         "stuck" => |_, _| 0,
         "ones" => |_, _| !0,
         "bit" => |word, _| word | 1 << 9,
@@ -55,8 +98,7 @@ pub(crate) fn generator(name: &str) -> Option<Generator> {
                 .wrapping_mul(0x9e37_79b9)
         },
         "counter" => |_, i| i,
-        _ if NAMES.contains(&name) => |word, _| word,
-        _ => return None,
+        _ => |word, _| word,
     };
     let rng = Pcg32::new(2024, 1);
     Some(Generator {
