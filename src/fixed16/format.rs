@@ -1,6 +1,6 @@
 //! The format of [`Fixed16`](super::Fixed16).
 
-use super::kernel::{ONE, angle, root, turn};
+use super::kernel::{ONE, angle, kepler, root, turn};
 use super::{kernel, words};
 use crate::fixed::format::Format;
 use ::fixed::types::{I0F16, I1F15, U0F16};
@@ -101,7 +101,7 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn from_end(z: u32) -> u32 {
-        turn::from_end(z)
+        kepler::from_end(z)
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@
 //! Arguments and results are the words of 32 bits that the laws work in.
 
 pub(crate) mod angle;
+pub(crate) mod kepler;
 pub(crate) mod root;
 pub(crate) mod table;
 pub(crate) mod turn;

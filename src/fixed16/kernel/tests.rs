@@ -4,7 +4,7 @@ extern crate std;
 
 use super::super::cos_sin;
 use super::table::{TURN_COS, TURN_SIN};
-use super::{angle, root, turn};
+use super::{angle, kepler, root, turn};
 use ::fixed::types::I0F16;
 use core::f64::consts::{FRAC_PI_4, TAU};
 use std::{println, vec::Vec};
@@ -93,7 +93,7 @@ fn complement_error(v: u32) -> f64 {
 fn kepler_error(z: u32) -> f64 {
     let z = (z >> 16 << 16).min(3408917802);
     let p = (f64::from(z) / Q32).powi(3);
-    let y = f64::from(turn::from_end(z)) / Q32 * core::f64::consts::PI;
+    let y = f64::from(kepler::from_end(z)) / Q32 * core::f64::consts::PI;
     let s = y * y;
     let left = if y < 0.5 {
         y * s / 6.0 * (1.0 - s / 20.0 * (1.0 - s / 42.0 * (1.0 - s / 72.0)))

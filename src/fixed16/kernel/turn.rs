@@ -1,8 +1,7 @@
-//! Angles in turns to (cos, sin), and Kepler's equation for the disk.
+//! Angles in turns to (cos, sin).
 
-use super::table::{KEPLER, TURN_COS, TURN_SIN};
+use super::table::{TURN_COS, TURN_SIN};
 use crate::fixed::kernel::poly::Polynomial;
-use crate::fixed::kernel::table::KEPLER_MIDDLE;
 use crate::fixed::kernel::turn::signed;
 
 /// (cos, sin) in Q31 of y eighths of a turn, y in Q16 below 1; both are below 1.
@@ -45,17 +44,4 @@ pub(crate) fn cos_sin(phase: u32) -> (i32, i32) {
         signed(cos ^ swap, phase ^ (phase << 1)),
         signed(sin ^ swap, phase),
     )
-}
-
-/// The angle from the nearer end in quarter turns, Q32 (1 saturates), at z = ∛p in Q32, p ≤ ½; rounded to the 17 bits that
-/// [`quarter`] reads.
-#[inline(always)]
-pub(crate) fn from_end(z: u32) -> u32 {
-    let high = z >> 16;
-    let square = high * high;
-    let x = (square + (square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
-    // The sums are rounded down, by two units in the middle.
-    let more = (high * (KEPLER.at(x) as u32 + 2)) >> 2;
-    let rounded = ((z >> 1) + more + (1 << 13)) >> 14;
-    (rounded - (rounded >> 17)) << 15
 }
