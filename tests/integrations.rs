@@ -275,6 +275,8 @@ mod defmt {
         is_format::<(Fast<f32>, CosPower<Fast<f32>>, CosSin<Fast<f32>>)>();
         is_format::<(Precise<f64>, Tails<Precise<f32>>, Radius<Fast<f32>>)>();
         is_format::<(ExponentError, RadiusError, NormalError)>();
+        #[cfg(feature = "fixed")]
+        is_format::<(coslobe::Fixed<Ball>, coslobe::Fixed16<Disk>)>();
         is_format::<(check::Report, check::Fault, check::Alarm, check::Place)>();
     }
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes src/fixed/kernel/table.rs: the integer polynomials of the fixed-point laws.
+"""Writes src/fixed/kernel/table.rs and src/fixed16/kernel/table.rs: the integer polynomials of the fixed-point laws.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -9,6 +9,8 @@ A polynomial in x (Q32, signed, below 1/2 in size) has all its coefficients in o
 Horner's rule in 32-bit words. While the sum fits 15 bits a step is a single 32-bit product (`small`), from there on
 the high half of a 64-bit one (`large`). That nothing leaves 31 bits and a sign is checked here by intervals. The error is that of the
 polynomial with its stored coefficients, from Sollya's supnorm against an interpolant exact to 1e-20.
+
+Those of the 16-bit type have small sums alone: every product is one of 16 by 16 bits.
 """
 
 import subprocess
@@ -59,6 +61,17 @@ SPECS = [
      "-log2(1 - t) / t - 3/2 in 2 t - 1/2"),
     ("EXP2", lambda g: mpf(2) ** (-mpf(1) / 2 - g) - mpf(1) / 2, (-mpf(1) / 2, mpf(1) / 2), -31.6, 31, "2^-(1/2 + g) - 1/2"),
     ("EXP2_M1", lambda x: -expm1(-x * ln(2)) / x if x > mpf(10) ** -36 else ln(2), (0, mpf(1) / 2), -31.6, 31, "(1 - 2^-x) / x"),
+]
+# name, function, interval, log2 of the absolute error wanted, k, what it is
+SHORT_SPECS = [
+    ("TURN_COS", of_square(lambda y: (1 - cos(pi / 4 * y)) / y**2), (0, 1), -18.5, 17, "(1 - cos(pi y / 4)) / y^2 in y^2"),
+    ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y), (0, 1), -17.5, 16, "sin(pi y / 4) / y in y^2"),
+    ("SQRT", lambda w: 1 / (1 + sqrt((1 + w) / 2)), (0, 1), -16.5, 16, "(1 - sqrt m) / (1 - m) in 2 m - 1"),
+    ("CBRT", lambda w: 1 / (1 + cbrt((1 + w) / 2) + cbrt((1 + w) / 2) ** 2), (0, 1), -16.5, 16, "(1 - cbrt m) / (1 - m) in 2 m - 1"),
+    ("RECIP", lambda w: 1 / (1 + w), (0, 1), -17, 16, "1 / 2 m in 2 m - 1"),
+    ("ASIN", of_square(lambda s: asin(s) / s / (2 * pi)), (0, sin(pi / 8) ** 2 + mpf(2) ** -12), -18.5, 17, "asin s / (2 pi s) in s^2"),
+    ("KEPLER", kepler, (-mpf(KEPLER_MIDDLE) / 2**32, mpf(KEPLER_MIDDLE) / 2**32 + mpf(2) ** -12), -18.5, 17,
+     "eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p"),
 ]
 # Evaluated with unsigned words in x from 0 to 1 and signs that alternate.
 ALTERNATING = ("TURN_COS", "TURN_SIN")
@@ -111,7 +124,40 @@ def sums(c, interval, k):
     return out
 
 
+def write(path, lines):
+    with open(path, "w") as out:
+        out.write("\n".join(lines) + "\n")
+    subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
+
+
+def short():
+    lines = [
+        "//! Coefficients, written by `python3 tools/fixed_coefficients.py`: do not edit.",
+        "//!",
+        "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
+        "",
+        "use crate::fixed::kernel::poly::Polynomial;",
+    ]
+    for name, f, interval, wanted, k, doc in SHORT_SPECS:
+        c, error = fit(series_free(f, *interval, n=36), interval, wanted, k)
+        print(f"{name}, short: degree {len(c) - 1}, error 2^{mp.nstr(error, 4)}", flush=True)
+        whole = [int(v * 2**k) for v in c]
+        steps = sums(c, interval, k)
+        if interval[0] == 0 and all((v > 0) == (i % 2 == 0) for i, v in enumerate(whole)):
+            kind, limit, whole = "u32", 2**16, [abs(v) for v in whole]
+        else:
+            kind, limit = "i32", 2**15 - 2 * len(c)
+            assert -0.5 <= interval[0] and interval[1] <= 0.5, name
+        # The last sum is multiplied too, by its user and without a sign.
+        assert all(abs(v) < limit for s in steps[:-1] for v in s), (name, whole)
+        assert all(0 < v < 2**16 + 1 for v in steps[-1]), (name, whole)
+        lines += ["", f"/// {doc}; x from {mp.nstr(mpf(interval[0]), 6)} to {mp.nstr(mpf(interval[1]), 6)}; Q{k}; error 2^{mp.nstr(error, 4)}",
+                  f"pub(crate) const {name}: Polynomial<{kind}, {len(c)}, 0> = Polynomial {{ small: {whole[::-1]}, large: [] }};"]
+    write("src/fixed16/kernel/table.rs", lines)
+
+
 def main():
+    short()
     lines = [
         "//! Coefficients, written by `python3 tools/fixed_coefficients.py`: do not edit.",
         "//!",
@@ -150,10 +196,7 @@ def main():
         lines += ["", f"/// {doc}; x from {mp.nstr(mpf(interval[0]), 6)} to {mp.nstr(mpf(interval[1]), 6)}; Q{k}; error 2^{mp.nstr(error, 4)}",
                   f"pub(crate) const {name}: Polynomial<{kind}, {split}, {len(top) - split}> = "
                   f"Polynomial {{ small: {top[:split]}, large: {top[split:]} }};"]
-    path = "src/fixed/kernel/table.rs"
-    with open(path, "w") as out:
-        out.write("\n".join(lines) + "\n")
-    subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
+    write("src/fixed/kernel/table.rs", lines)
 
 
 if __name__ == "__main__":

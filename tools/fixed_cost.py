@@ -78,17 +78,19 @@ class Image:
         return self.count, STACK - self.least
 
 
-def unit_pair(words):
+def unit_pair(words, bits):
     angle = words.random() * math.pi / 2
-    return b"".join(int(x * 0x7FFFFFFF).to_bytes(4, "little") for x in (math.cos(angle), math.sin(angle)))
+    one = (1 << (bits - 1)) - 1
+    return b"".join(int(x * one).to_bytes(bits // 8, "little") for x in (math.cos(angle), math.sin(angle)))
 
 
 def measure(image, name, words):
     counts, stack = [], 0
+    bits = 16 if "16" in name else 32
     for _ in range(RUNS):
-        second = words.getrandbits(32)
+        second = words.getrandbits(bits)
         image.uc.mem_write(RNG, (words.getrandbits(64) | 1).to_bytes(8, "little"))
-        image.uc.mem_write(PAIR, unit_pair(words))
+        image.uc.mem_write(PAIR, unit_pair(words, bits))
         operation = name.split("<")[0]
         if operation in ("sample", "word"):
             second = RNG

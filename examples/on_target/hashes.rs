@@ -10,9 +10,9 @@ use crate::difference::first;
 use crate::failure::{Failure, Result, While};
 use crate::report::Report;
 use crate::run::bar;
-use crate::types::TYPES;
+use crate::types::{TYPES, laws};
 use ask::{Asked, Device, Host};
-use coslobe_common::{LAWS, Stream};
+use coslobe_common::Stream;
 use expected::Expected;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
@@ -58,7 +58,8 @@ pub(crate) fn run(options: &Hashes, report: &mut Report) -> Result<()> {
         });
     }
     let expected = Expected::read()?;
-    let jobs = (types(options).count() * LAWS.len() * Stream::ALL.len()) as u64;
+    let laws_of_all = types(options).map(|number| laws(number).len());
+    let jobs = (laws_of_all.sum::<usize>() * Stream::ALL.len()) as u64;
     if wanted("host") {
         let start = Instant::now();
         for number in types(options) {
@@ -132,7 +133,7 @@ fn compare(
     expected: &Expected,
     bar: &ProgressBar,
 ) -> Result<()> {
-    for law in LAWS {
+    for law in laws(number) {
         for stream in Stream::ALL {
             let last = last(options, stream);
             let found = asked.ask(&[law, stream.name(), "checkpoints", &last.to_string()])?;

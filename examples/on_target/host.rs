@@ -1,9 +1,9 @@
 //! What this machine computes.
 
 use crate::failure::{Failure, Result, While};
-use crate::types::FIXED;
+use crate::types::{FIXED, FIXED16};
 use coslobe::{Fast, Precise};
-use coslobe_common::{Answer, Integers, Laws, Subject, Visitor, answer, directions};
+use coslobe_common::{Answer, Integers, Integers16, Laws, Subject, Visitor, answer, directions};
 
 /// Something that can be done in a number type.
 pub(crate) trait InType {
@@ -20,6 +20,7 @@ pub(crate) fn in_type<F: InType>(name: &str, f: F) -> Result<F::Output> {
         "Precise<f32>" => Ok(f.run::<Precise<f32>>()),
         "Precise<f64>" => Ok(f.run::<Precise<f64>>()),
         FIXED => Ok(f.run::<Integers>()),
+        FIXED16 => Ok(f.run::<Integers16>()),
         _ => Err(Failure(format!("no number type {name}"))),
     }
 }

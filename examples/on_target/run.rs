@@ -6,9 +6,8 @@ use crate::difference::same;
 use crate::failure::{Failure, Result, While};
 use crate::qemu::{self, Emulation};
 use crate::report::Report;
-use crate::types::TYPES;
+use crate::types::{TYPES, laws};
 use crate::{host, start};
-use coslobe_common::LAWS;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use std::time::Duration;
@@ -20,7 +19,8 @@ const EMULATION: Emulation = Emulation {
 
 /// Builds and runs all of them.
 pub(crate) fn run(report: &mut Report) -> Result<()> {
-    let bar = bar((BOARDS.len() * TYPES.len() * LAWS.len()) as u64);
+    let images = TYPES.map(|number| laws(number).len());
+    let bar = bar((BOARDS.len() * images.iter().sum::<usize>()) as u64);
     // Each board's images are built one after the other: they share their dependencies.
     let outcomes: Vec<_> = BOARDS
         .par_iter()
@@ -54,7 +54,7 @@ fn board_outcomes(board: &Board, bar: &ProgressBar) -> Result<Vec<Result<()>>> {
     board.has_emulator()?;
     let images = TYPES
         .iter()
-        .flat_map(|number| LAWS.map(|law| (law, *number)));
+        .flat_map(|number| laws(number).iter().map(move |law| (*law, *number)));
     Ok(images
         .map(|(law, number)| {
             let outcome = image(board, law, number);

@@ -1,64 +1,61 @@
 //! [`Ball`]: cos θ = max(u₁, u₂, u₃, u₄).
 
-use super::kernel::mul::mul_high;
+use super::format::Format;
 use super::kernel::normal::normal;
-use super::kernel::recip::half_recip;
-use super::kernel::sqrt::{complement, fourth, halve, scaled};
+use super::kernel::sqrt::halve;
 use super::law::{Tails, Words};
-use super::{spatial, words};
+use super::spatial;
 use crate::{Ball, CosSin};
-use ::fixed::types::{I1F31, U0F32};
 use rand_core::Rng;
 
 /// 2/π in Q32.
 const TWO_OVER_PI: u32 = 2734261102;
 
 #[inline(always)]
-fn lobe(cos: u32) -> u32 {
-    mul_high(mul_high(mul_high(cos, cos), cos), TWO_OVER_PI)
+fn lobe<F: Format>(cos: u32) -> u32 {
+    F::times(F::mul(F::mul(cos, cos), cos), TWO_OVER_PI)
 }
 
-impl Words for Ball {
-    type Density = U0F32;
-    type Direction = [I1F31; 3];
+impl<F: Format> Words<F> for Ball {
+    type Density = F::Probability;
+    type Direction = [F::Component; 3];
 
     #[inline]
     fn pair(self, p: Tails) -> CosSin<i32> {
         if p.lower == 0 {
-            return spatial::pair(1 << 31, 0);
+            return spatial::pair::<F>(1 << 31, 0);
         }
-        let (cos, square) = fourth(p.upper);
+        let (cos, square) = F::fourth(p.upper);
         // sin² = u / (1 + cos²), which does not cancel beside the axis.
         let (lower, shift) = normal(p.lower);
-        let recip = half_recip((1 << 31) + (square >> 1));
-        let sin = scaled(mul_high(lower, recip), shift);
-        spatial::pair(cos, halve(sin))
+        let recip = F::half_recip((1 << 31) + (square >> 1));
+        let sin = F::scaled(F::mul(lower, recip), shift);
+        spatial::pair::<F>(cos, halve(sin))
     }
 
     #[inline]
     fn tails(self, at: CosSin<i32>) -> Tails {
-        match spatial::squares(at) {
+        match spatial::squares::<F>(at) {
             Ok((cos, sin)) => Tails {
-                lower: sin.saturating_add(mul_high(sin, cos)),
-                upper: mul_high(cos, cos),
+                lower: sin.saturating_add(F::mul(sin, cos)),
+                upper: F::mul(cos, cos),
             },
             Err(outside) => outside,
         }
     }
 
     #[inline]
-    fn density(self, at: CosSin<i32>) -> U0F32 {
-        spatial::density(at, lobe)
+    fn density(self, at: CosSin<i32>) -> F::Probability {
+        spatial::density::<F>(at, lobe::<F>)
     }
 
     #[inline]
-    fn pdf(self, turn: i32) -> U0F32 {
-        spatial::pdf(turn, lobe)
+    fn pdf(self, turn: i32) -> F::Probability {
+        spatial::pdf::<F>(turn, lobe::<F>)
     }
 
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
-        let x = words::largest::<4, R>(rng);
-        words::spatial(x.0 >> 1, complement(words::less(x)), rng)
+    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
+        F::lobe::<4, R>(rng)
     }
 }

@@ -1,10 +1,9 @@
 //! [`CircleArc`]: θ uniform.
 
-use super::kernel::turn::quarter;
+use super::format::Format;
 use super::law::{Tails, Words};
 use super::{planar, words};
 use crate::{CircleArc, CosSin};
-use ::fixed::types::{I1F31, U0F32};
 use rand_core::Rng;
 
 /// 1/π in Q32.
@@ -16,17 +15,17 @@ fn tails(magnitude: u32, sign: i32) -> Tails {
     planar::tails((1 << 31) - (magnitude << 1), sign)
 }
 
-impl Words for CircleArc {
-    type Density = U0F32;
-    type Direction = [I1F31; 2];
+impl<F: Format> Words<F> for CircleArc {
+    type Density = F::Probability;
+    type Direction = [F::Component; 2];
 
     #[inline]
     fn pair(self, p: Tails) -> CosSin<i32> {
         let (p, sign) = planar::nearer(p);
         // 2p quarter turns from the end.
         let from_end = if p >> 31 == 0 { p << 1 } else { u32::MAX };
-        let (sin, cos) = quarter(from_end); // from the end they change places
-        planar::pair(cos, sin, sign)
+        let (sin, cos) = F::quarter(from_end); // from the end they change places
+        planar::pair::<F>(cos, sin, sign)
     }
 
     #[inline]
@@ -39,7 +38,7 @@ impl Words for CircleArc {
     #[inline]
     fn tails(self, at: CosSin<i32>) -> Tails {
         match planar::above(at) {
-            Ok(at) => tails(planar::turn(at), at.sin),
+            Ok(at) => tails(planar::turn::<F>(at), at.sin),
             Err(outside) => outside,
         }
     }
@@ -53,20 +52,20 @@ impl Words for CircleArc {
     }
 
     #[inline]
-    fn density(self, at: CosSin<i32>) -> U0F32 {
-        U0F32::from_bits(if at.cos < 0 { 0 } else { RECIP_PI })
+    fn density(self, at: CosSin<i32>) -> F::Probability {
+        F::probability(if at.cos < 0 { 0 } else { RECIP_PI })
     }
 
     #[inline]
-    fn pdf(self, turn: i32) -> U0F32 {
-        planar::pdf(turn, |_| RECIP_PI)
+    fn pdf(self, turn: i32) -> F::Probability {
+        planar::pdf::<F>(turn, |_| RECIP_PI)
     }
 
     /// One word: its lowest bit is the sign, all of it with that bit set |θ| in quarter turns.
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 2] {
+    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
         let word = rng.next_u32();
-        let (cos, sin) = quarter(word | 1);
-        words::planar(cos, sin, word << 31)
+        let (cos, sin) = F::quarter(word | 1);
+        words::planar::<F>(cos, sin, word << 31)
     }
 }

@@ -1,14 +1,13 @@
 //! [`CircleShell`]: sin θ = 2u − 1.
 
-use super::kernel::sqrt::complement;
+use super::format::Format;
 use super::law::{Tails, Words};
-use super::{planar, words};
+use super::planar;
 use crate::{CircleShell, CosSin};
-use ::fixed::types::{I1F31, U0F32};
 use rand_core::Rng;
 
 #[inline(always)]
-fn lobe(cos: u32) -> u32 {
+fn lobe<F: Format>(cos: u32) -> u32 {
     cos >> 1
 }
 
@@ -22,25 +21,21 @@ fn tails_of_sine(sin: i32) -> Tails {
     }
 }
 
-impl Words for CircleShell {
-    type Density = U0F32;
-    type Direction = [I1F31; 2];
+impl<F: Format> Words<F> for CircleShell {
+    type Density = F::Probability;
+    type Direction = [F::Component; 2];
 
     #[inline]
     fn pair(self, p: Tails) -> CosSin<i32> {
         let (p, sign) = planar::nearer(p);
         let v = if p >> 31 == 0 { p << 1 } else { u32::MAX };
-        planar::pair(
-            complement(u64::from(v) << 32),
-            (1 << 31) - p.min(1 << 31),
-            sign,
-        )
+        planar::pair::<F>(F::complement(v), (1 << 31) - p.min(1 << 31), sign)
     }
 
     #[inline]
     fn turn(self, p: Tails) -> i32 {
-        let at = self.pair(p);
-        let turn = planar::turn(at) as i32;
+        let at = Words::<F>::pair(self, p);
+        let turn = planar::turn::<F>(at) as i32;
         if at.sin < 0 { -turn } else { turn }
     }
 
@@ -55,29 +50,23 @@ impl Words for CircleShell {
     #[inline]
     fn tails_at(self, turn: i32) -> Tails {
         match planar::magnitude(turn) {
-            Ok(_) => tails_of_sine(super::kernel::turn::cos_sin(turn as u32).1),
+            Ok(_) => tails_of_sine(F::cos_sin(turn as u32).1),
             Err(outside) => outside,
         }
     }
 
     #[inline]
-    fn density(self, at: CosSin<i32>) -> U0F32 {
-        planar::density(at.cos, lobe)
+    fn density(self, at: CosSin<i32>) -> F::Probability {
+        planar::density::<F>(at.cos, lobe::<F>)
     }
 
     #[inline]
-    fn pdf(self, turn: i32) -> U0F32 {
-        planar::pdf(turn, lobe)
+    fn pdf(self, turn: i32) -> F::Probability {
+        planar::pdf::<F>(turn, lobe::<F>)
     }
 
-    /// |sin θ| is uniform: v = 1 − |sin θ| from two words, and its lowest bit the sign.
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 2] {
-        let v = words::long(rng);
-        words::planar(
-            complement(v | 1),
-            !((v >> 32) as u32) >> 1,
-            (v as u32) << 31,
-        )
+    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
+        F::chord(rng)
     }
 }

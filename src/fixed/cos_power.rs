@@ -7,6 +7,7 @@ use super::kernel::recip::half_recip;
 use super::kernel::sqrt::{complement, halve, scaled};
 use super::kernel::turn::ONE;
 use super::law::{Tails, Words};
+use super::q31::Q31;
 use super::{spatial, words};
 use crate::CosSin;
 use ::fixed::types::{I1F31, U16F16};
@@ -145,24 +146,24 @@ impl CosPower {
 /// Apart, so that its stack is free again before the logarithm takes its own.
 #[inline(never)]
 fn at_turn(turn: i32) -> Result<CosSin<i32>, Tails> {
-    spatial::at_turn(turn)
+    spatial::at_turn::<Q31>(turn)
 }
 
-impl Words for CosPower {
+impl Words<Q31> for CosPower {
     type Density = U16F16;
     type Direction = [I1F31; 3];
 
     #[inline]
     fn pair(self, p: Tails) -> CosSin<i32> {
         if p.upper == 0 {
-            return spatial::pair(0, 1 << 31);
+            return spatial::pair::<Q31>(0, 1 << 31);
         }
         if p.lower == 0 {
-            return spatial::pair(1 << 31, 0);
+            return spatial::pair::<Q31>(1 << 31, 0);
         }
         let long = |word: u32| u64::from(word) << 32;
         let (cos, sin) = Self::at_log(self.log_cos(long(p.lower), long(p.upper)));
-        spatial::pair(cos, sin)
+        spatial::pair::<Q31>(cos, sin)
     }
 
     #[inline]
@@ -205,7 +206,7 @@ impl Words for CosPower {
 
     #[inline]
     fn pdf(self, turn: i32) -> U16F16 {
-        match spatial::at_turn(turn) {
+        match spatial::at_turn::<Q31>(turn) {
             Ok(at) if at.cos > 0 => self.lobe(at, (at.sin as u32) << 1),
             _ => U16F16::ZERO,
         }

@@ -1,5 +1,7 @@
 //! What each law computes in words, behind [`Fixed`](super::Fixed).
 
+use super::format::Format;
+use super::q31::Q31;
 use super::spatial;
 use crate::CosSin;
 use rand_core::Rng;
@@ -42,8 +44,8 @@ impl Tails {
     };
 }
 
-/// A law in integers: cosines and sines in Q31, turns in Q32. Sealed.
-pub trait Words: Copy {
+/// A law in integers: cosines and sines in Q31, turns in Q32, to the accuracy of F. Sealed.
+pub trait Words<F: Format>: Copy {
     /// The format of its densities.
     type Density: Copy;
     /// What [`Fixed::sample`](super::Fixed::sample) returns.
@@ -59,12 +61,12 @@ pub trait Words: Copy {
 
     #[inline]
     fn turn(self, p: Tails) -> i32 {
-        spatial::turn(self.pair(p))
+        spatial::turn::<F>(self.pair(p))
     }
 
     #[inline]
     fn tails_at(self, turn: i32) -> Tails {
-        match spatial::at_turn(turn) {
+        match spatial::at_turn::<F>(turn) {
             Ok(at) => self.tails(at),
             Err(outside) => outside,
         }
@@ -72,6 +74,6 @@ pub trait Words: Copy {
 }
 
 /// The laws that [`Fixed`](super::Fixed) knows. Sealed.
-pub trait FixedLaw: Words {}
+pub trait FixedLaw: Words<Q31> {}
 
-impl<L: Words> FixedLaw for L {}
+impl<L: Words<Q31>> FixedLaw for L {}

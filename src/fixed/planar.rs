@@ -1,11 +1,9 @@
 //! What the laws in the plane share: θ from −¼ to ¼ turn, symmetric about 0.
 
-use super::kernel::angle::first_quadrant;
-use super::kernel::turn::{cos_sin, signed};
+use super::format::Format;
 use super::law::Tails;
 use super::spatial::QUARTER;
 use crate::CosSin;
-use ::fixed::types::U0F32;
 
 /// The nearer tail and a word whose top bit is the sign of θ.
 #[inline(always)]
@@ -28,17 +26,17 @@ pub(crate) fn tails(nearer: u32, sign: i32) -> Tails {
 }
 
 #[inline(always)]
-pub(crate) fn pair(cos: u32, sin: u32, sign: u32) -> CosSin<i32> {
+pub(crate) fn pair<F: Format>(cos: u32, sin: u32, sign: u32) -> CosSin<i32> {
     CosSin {
-        cos: signed(cos, 0),
-        sin: signed(sin, sign),
+        cos: F::signed(cos, 0),
+        sin: F::signed(sin, sign),
     }
 }
 
 /// |θ| in turns at a pair with cos θ ≥ 0.
 #[inline(always)]
-pub(crate) fn turn(at: CosSin<i32>) -> u32 {
-    first_quadrant(at.cos as u32, at.sin.unsigned_abs())
+pub(crate) fn turn<F: Format>(at: CosSin<i32>) -> u32 {
+    F::first_quadrant(at.cos as u32, at.sin.unsigned_abs())
 }
 
 /// |θ| in turns, or the tails outside the support.
@@ -64,19 +62,19 @@ pub(crate) fn above(at: CosSin<i32>) -> Result<CosSin<i32>, Tails> {
 
 /// `of` cos θ in Q32 above the horizon, at least one unit; 0 elsewhere.
 #[inline(always)]
-pub(crate) fn density(cos: i32, of: impl FnOnce(u32) -> u32) -> U0F32 {
-    U0F32::from_bits(if cos <= 0 {
+pub(crate) fn density<F: Format>(cos: i32, of: impl FnOnce(u32) -> u32) -> F::Probability {
+    F::probability(if cos <= 0 {
         0
     } else {
-        of((cos as u32) << 1).max(1)
+        of((cos as u32) << 1).max(F::LEAST)
     })
 }
 
 /// `of` cos θ inside the support, 0 outside.
 #[inline(always)]
-pub(crate) fn pdf(turn: i32, of: impl FnOnce(u32) -> u32) -> U0F32 {
-    U0F32::from_bits(match magnitude(turn) {
-        Ok(magnitude) => of((cos_sin(magnitude).0 as u32) << 1),
+pub(crate) fn pdf<F: Format>(turn: i32, of: impl FnOnce(u32) -> u32) -> F::Probability {
+    F::probability(match magnitude(turn) {
+        Ok(magnitude) => of((F::cos_sin(magnitude).0 as u32) << 1),
         Err(_) => 0,
     })
 }

@@ -6,10 +6,10 @@ fn main() {
     println!("cargo::rerun-if-env-changed=COSLOBE_TYPE");
     println!("cargo::rustc-link-arg=-Tboard.x");
     let number = env::var("COSLOBE_TYPE").unwrap_or("f32".to_owned());
-    let number = if number == "Fixed" {
-        "coslobe_common::Integers"
-    } else {
-        &number
+    let number = match number.as_str() {
+        "Fixed" => "coslobe_common::Integers",
+        "Fixed16" => "coslobe_common::Integers16",
+        number => number,
     };
     let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     fs::write(

@@ -12,6 +12,7 @@ fn main() {
     let subject = match law.as_str() {
         "CosPower" if number == "Fixed" => "integers(power())".to_owned(),
         _ if number == "Fixed" => format!("integers({law})"),
+        _ if number == "Fixed16" => format!("integers16({law})"),
         "Disk" | "CircleShell" | "CircleArc" => format!("planar::<_, {number}>({law})"),
         "CosPower" => format!(
             "spatial::<_, {number}>(CosPower::new(Number::of(EXPONENT)).expect(\"an exponent ≥ 0\"))"

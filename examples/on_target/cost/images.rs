@@ -45,10 +45,11 @@ const fn peer(
 }
 
 /// All of them: a new number type is a line here and a binary.
-pub(crate) const SUBJECTS: [Subject; 10] = [
+pub(crate) const SUBJECTS: [Subject; 11] = [
     ours("f32", "f32", "f32"),
     ours("fast_f32", "Fast<f32>", "f32"),
     ours("fixed", "Fixed", "i32"),
+    ours("fixed16", "Fixed16", "i16"),
     ours("f64", "f64", "f64"),
     ours("precise_f32", "Precise<f32>", "f32"),
     ours("precise_f64", "Precise<f64>", "f64"),

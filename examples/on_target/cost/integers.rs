@@ -1,10 +1,14 @@
 //! Absolute errors of directions in integers: their unit does not shrink with the component.
 
 use super::formulas::{EXPONENT, lambert_by_idsp};
+use crate::fixed_reference::truth::{
+    BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth,
+};
 use crate::fixed_reference::{Q31, Q32, power_pair, subjects};
 use coslobe::fixed::CosPower;
-use coslobe::{CosSin, Fixed};
-use fixed::types::{I1F31, U0F32, U16F16};
+use coslobe::fixed16::Fixed16Law;
+use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
+use fixed::types::{I1F31, U0F16, U0F32, U16F16};
 
 /// Words in each octave from either end.
 const PER_OCTAVE: u32 = 256;
@@ -16,6 +20,7 @@ pub(crate) fn error(binary: &str, law: &str, operation: &str) -> Option<f64> {
     }
     match binary {
         "fixed" => ours(law),
+        "fixed16" => short(law),
         "idsp" => Some(idsp()),
         _ => None,
     }
@@ -47,16 +52,42 @@ fn ours(law: &str) -> Option<f64> {
     }))
 }
 
+/// In 16 bits, on every word.
+fn short(law: &str) -> Option<f64> {
+    match law {
+        "Disk" => Some(on_all(Disk, DISK)),
+        "CircleShell" => Some(on_all(CircleShell, CIRCLE_SHELL)),
+        "CircleArc" => Some(on_all(CircleArc, CIRCLE_ARC)),
+        "Ball" => Some(on_all(Ball, BALL)),
+        "SphereShell" => Some(on_all(SphereShell, SPHERE_SHELL)),
+        "Lambert" => Some(on_all(Lambert, LAMBERT)),
+        _ => None,
+    }
+}
+
+fn on_all<L: Fixed16Law>(law: L, truth: Truth) -> f64 {
+    let law = Fixed16(law);
+    let each = (0..=u16::MAX).map(|w| {
+        let (p, rest) = (f64::from(w) / 65536.0, (65536.0 - f64::from(w)) / 65536.0);
+        let w = U0F16::from_bits(w);
+        let near = off(law.warp(w), truth.pair(p, rest));
+        near.max(off(law.warp_sf(w), truth.pair(rest, p)))
+    });
+    each.fold(0.0, f64::max)
+}
+
+fn off<T: Into<f64>>(got: CosSin<T>, (cos, sin): (f64, f64)) -> f64 {
+    (got.cos.into() - cos)
+        .abs()
+        .max((got.sin.into() - sin).abs())
+}
+
 /// Of both entries, of which a sample's error is that of the law's nearer one.
 fn worst(
     warp: impl Fn(u32) -> CosSin<I1F31>,
     warp_sf: impl Fn(u32) -> CosSin<I1F31>,
     pair: impl Fn(f64, f64) -> (f64, f64),
 ) -> f64 {
-    let off = |got: CosSin<I1F31>, (cos, sin): (f64, f64)| {
-        let of = |got: I1F31, want: f64| (f64::from(got.to_bits()) / Q31 - want).abs();
-        of(got.cos, cos).max(of(got.sin, sin))
-    };
     let each = words().map(|w| {
         let (p, rest) = (f64::from(w) / Q32, (Q32 - f64::from(w)) / Q32);
         off(warp(w), pair(p, rest)).max(off(warp_sf(w), pair(rest, p)))
@@ -88,6 +119,8 @@ mod tests {
             let ours = error("fixed", law, "sample").unwrap();
             assert!(ours > 0.0 && ours <= 4.0 / Q31, "{law}: {ours:e}");
         }
+        let short = error("fixed16", "Disk", "sample").unwrap();
+        assert!((1.0..2.0).contains(&(short * 32768.0)), "{short:e}");
         let idsp = error("idsp", "Lambert", "sample").unwrap();
         assert!((1e-6..1e-4).contains(&idsp), "{idsp:e}");
         assert_eq!(error("f32", "Lambert", "sample"), None);

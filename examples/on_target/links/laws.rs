@@ -5,7 +5,7 @@ use super::sources::bytes_by_file;
 use super::{Shown, caught, ensure};
 use crate::boards::Board;
 use crate::failure::Result;
-use crate::types::{FIXED, TYPES};
+use crate::types::{FIXED, FIXED16, TYPES, laws};
 use coslobe_common::LAWS;
 use indicatif::ProgressBar;
 
@@ -14,19 +14,20 @@ fn types(board: &Board) -> &'static [&'static str] {
     if board.name == "M4F" {
         &TYPES
     } else {
-        &["f32", FIXED]
+        &["f32", FIXED, FIXED16]
     }
 }
 
 /// Images that [`show`] builds.
 pub(super) fn images(board: &Board) -> u64 {
-    (types(board).len() * LAWS.len() + 1) as u64
+    let images = types(board).iter().map(|number| laws(number).len());
+    images.sum::<usize>() as u64 + 1
 }
 
 pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
     let mut shown = Vec::new();
     for number in types(board) {
-        let outcome = LAWS.iter().try_for_each(|law| {
+        let outcome = laws(number).iter().try_for_each(|law| {
             let outcome = look(board, law, number, None);
             bar.inc(1);
             outcome
@@ -46,7 +47,8 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
 fn look(board: &Board, law: &str, number: &str, planted: Option<&str>) -> Result<()> {
     let (path, image) = build(board, &calls(law, number), planted)?;
     let files = bytes_by_file(&path, &image)?;
-    let folder = if number == FIXED { "fixed" } else { "law" };
+    // Both formats of fixed point share their laws.
+    let folder = if in_integers(number) { "fixed" } else { "law" };
     let own = format!("{folder}/{}.rs", file(law));
     ensure(files.contains_key(&own), || {
         format!("{law} in {number}: no code of {own}")
@@ -73,11 +75,16 @@ fn look(board: &Board, law: &str, number: &str, planted: Option<&str>) -> Result
     )
 }
 
+fn in_integers(number: &str) -> bool {
+    [FIXED, FIXED16].contains(&number)
+}
+
 /// What the image calls: see `examples/firmware/links/src/operations.rs`.
 fn calls(law: &str, number: &str) -> String {
     match law {
         "CosPower" if number == FIXED => "fixed_power_sampler(x, rng)".to_owned(),
         _ if number == FIXED => format!("fixed_sampler({law}, rng)"),
+        _ if number == FIXED16 => format!("fixed16_sampler({law}, rng)"),
         "Disk" | "CircleShell" | "CircleArc" => format!("planar_sampler::<{number}>({law}, rng)"),
         "CosPower" => format!("power_sampler::<{number}>(x, rng)"),
         _ => format!("spatial_sampler::<{number}>({law}, rng)"),
@@ -113,7 +120,7 @@ fn needs(law: &str, number: &str) -> &'static [&'static str] {
     match law {
         "Disk" => &["kepler", "disk"],
         // In fixed point it is the largest of three words.
-        "SphereShell" if number != FIXED => &["cbrt", "root"],
+        "SphereShell" if !in_integers(number) => &["cbrt", "root"],
         "CosPower" => &["power", "log_exp", "log"],
         _ => &[],
     }

@@ -1,4 +1,4 @@
-//! Soft-float routines by name.
+//! Routines of the compiler by name.
 
 /// Whether it computes in `f64`: `__aeabi_dadd`, `__aeabi_f2d`, `__muldf3`, `__truncdfsf2`, …
 pub(super) fn is_double(name: &str) -> bool {
@@ -8,6 +8,25 @@ pub(super) fn is_double(name: &str) -> bool {
 /// Whether it computes in `f32` or converts from or to it: `__aeabi_fmul`, `__addsf3`, …
 pub(super) fn is_single(name: &str) -> bool {
     is_soft(name, 'f', "sf")
+}
+
+/// Whether it multiplies, divides or shifts integers of 64 bits, or divides those of 32.
+pub(super) fn is_long(name: &str) -> bool {
+    let long = [
+        "lmul", "llsl", "llsr", "lasr", "ldivmod", "uldivmod", "idiv", "uidiv", "idivmod",
+        "uidivmod",
+    ];
+    let arm = name.strip_prefix("__aeabi_");
+    arm.is_some_and(|name| long.contains(&name))
+        || [
+            "__muldi3",
+            "__udivmoddi4",
+            "__divdi3",
+            "__udivdi3",
+            "__udivsi3",
+            "__divsi3",
+        ]
+        .contains(&name)
 }
 
 /// `letter`: the type in names of the Arm ABI; `mode`: in names of libgcc's.
@@ -70,6 +89,10 @@ mod tests {
             "_ZN4libm4math4sqrt5sqrtf17h0bdf",
         ] {
             assert!(!is_double(integer) && !is_single(integer), "{integer}");
+            let long = !["memcpy", "clz", "_start", "libm"]
+                .iter()
+                .any(|s| integer.contains(s));
+            assert_eq!(is_long(integer), long, "{integer}");
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::failure::Result;
 use indicatif::ProgressBar;
 
 /// Images that [`show`] builds.
-pub(super) const IMAGES: u64 = 8;
+pub(super) const IMAGES: u64 = 10;
 
 /// Every operation in the types that compute in `f32` alone.
 const SINGLE: &str = "everything::<f32>(x, rng) + everything::<Fast<f32>>(x, rng)";
@@ -18,9 +18,13 @@ const DOUBLE: &str = "everything::<f64>(x, rng) + everything::<Precise<f32>>(x, 
                       + everything::<Precise<f64>>(x, rng)";
 /// Every operation in fixed point, and checks of it.
 const FIXED: &str = "fixed_everything(x, rng)";
+/// The same in 16 bits.
+const FIXED16: &str = "fixed16_everything(x, rng)";
 /// What is planted, beside little else.
 const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";
 const LITTLE_FIXED: &str = "fixed_sampler(Lambert, rng)";
+/// A product that Cortex-M0 has no instruction for.
+const LONG: &str = "fixed16_sampler(Lambert, rng) ^ long_product(x, rng)";
 
 pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
     let built = |calls: &str, planted: Option<&str>| {
@@ -67,6 +71,23 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
                 no_float(&image)
             }),
         ),
+        (
+            "Fixed16: no panic, allocation or static RAM, no float, and no routine for 64 bits"
+                .to_owned(),
+            built(FIXED16, None).and_then(|image| {
+                complete(&image)?;
+                no_ram(&image)?;
+                no_float(&image)?;
+                no_long(&image)
+            }),
+        ),
+        (
+            "a product of 64 bits is caught where it is a routine".to_owned(),
+            built(LONG, None).and_then(|image| match board.name {
+                "M0" => caught(no_long(&image), "64 bits"),
+                _ => no_long(&image),
+            }),
+        ),
         planted(
             "plant-panic",
             complete,
@@ -98,6 +119,11 @@ pub(super) fn no_ram(image: &Image) -> Result<()> {
 
 pub(super) fn no_double(image: &Image) -> Result<()> {
     none(image, "soft double", symbols::is_double)
+}
+
+/// No product, quotient or shift of 64 bits, nor a quotient of 32, by a routine.
+fn no_long(image: &Image) -> Result<()> {
+    none(image, "64 bits or division: ", symbols::is_long)
 }
 
 fn none(image: &Image, what: &str, is: fn(&str) -> bool) -> Result<()> {

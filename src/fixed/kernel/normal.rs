@@ -1,26 +1,37 @@
 //! Shifting a word up until its top bit is set.
 
 /// (x·2ˢ, s) with x·2ˢ ≥ 2³¹, for x > 0; for 0, (0, 31).
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
 pub(crate) fn normal(x: u32) -> (u32, u32) {
+    normal_below::<32>(x)
+}
+
+/// The same where s < `LIMIT` is known.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+pub(crate) fn normal_below<const LIMIT: u32>(x: u32) -> (u32, u32) {
     let shift = (x | 1).leading_zeros();
+    debug_assert!(shift < LIMIT);
     (x << shift, shift)
 }
 
-/// The same where counting zeros is a call: five comparisons.
+/// The same where counting zeros is a call: five comparisons at most.
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-pub(crate) use by_steps as normal;
+pub(crate) use by_steps as normal_below;
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
-pub(crate) fn by_steps(mut x: u32) -> (u32, u32) {
+pub(crate) fn by_steps<const LIMIT: u32>(mut x: u32) -> (u32, u32) {
     let mut shift = 0;
     for step in [16, 8, 4, 2, 1] {
-        if x >> (32 - step) == 0 {
-            x <<= step;
-            shift += step;
-        }
+        // One choice for both, which costs a branch each on a Cortex-M0.
+        let up = if step < LIMIT && x >> (32 - step) == 0 {
+            step
+        } else {
+            0
+        };
+        x <<= up;
+        shift += up;
     }
     (x, shift)
 }
@@ -46,9 +57,17 @@ mod tests {
     fn steps_shift_as_counted_zeros_do() {
         for i in 0..32 {
             for x in [1 << i, (1u32 << i) | 1, u32::MAX >> i] {
-                assert_eq!(by_steps(x), normal(x), "{x:#x}");
+                assert_eq!(by_steps::<32>(x), normal(x), "{x:#x}");
+                if i < 16 {
+                    let x = x | 1 << (31 - i);
+                    assert_eq!(by_steps::<16>(x), normal(x), "{x:#x}");
+                }
+                if i < 4 {
+                    let x = x | 1 << (31 - i);
+                    assert_eq!(by_steps::<4>(x), normal(x), "{x:#x}");
+                }
             }
         }
-        assert_eq!(by_steps(0), normal(0));
+        assert_eq!(by_steps::<32>(0), normal(0));
     }
 }

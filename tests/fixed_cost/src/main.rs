@@ -4,12 +4,15 @@
 #![no_std]
 #![no_main]
 
+mod operations;
+
+use ::fixed::types::{I0F16, I0F32, I1F15, I1F31, U16F16};
 use core::convert::Infallible;
 use core::hint::black_box;
-use coslobe::fixed::{CosPower, FixedLaw, cos_sin};
+use coslobe::fixed::{self, CosPower, FixedLaw};
+use coslobe::fixed16::{self, Fixed16Law};
 use coslobe::rand_core::{Rng, TryRng};
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
-use fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
 
 unsafe extern "C" {
     fn a_panic_is_reachable() -> !;
@@ -68,60 +71,94 @@ extern "C" fn word<R: Rng>(rng: &mut R) -> u32 {
     rng.next_u32()
 }
 
+/// A law in either type.
+pub trait Operations {
+    type Component;
+    type Probability;
+    type Turn;
+    type Density;
+    type Direction;
+    fn warp(&self, u: Self::Probability) -> CosSin<Self::Component>;
+    fn warp_sf(&self, q: Self::Probability) -> CosSin<Self::Component>;
+    fn quantile(&self, p: Self::Probability) -> Self::Turn;
+    fn isf(&self, p: Self::Probability) -> Self::Turn;
+    fn cdf(&self, theta: Self::Turn) -> Self::Probability;
+    fn sf(&self, theta: Self::Turn) -> Self::Probability;
+    fn pdf(&self, theta: Self::Turn) -> Self::Density;
+    fn density(&self, at: CosSin<Self::Component>) -> Self::Density;
+    fn unwarp(&self, at: CosSin<Self::Component>) -> Self::Probability;
+    fn unwarp_sf(&self, at: CosSin<Self::Component>) -> Self::Probability;
+    fn sample<R: Rng>(&self, rng: &mut R) -> Self::Direction;
+}
+
 extern "C" fn turn_cos_sin(_: u32, turn: i32, out: &mut CosSin<I1F31>) {
-    *out = cos_sin(I0F32::from_bits(turn));
+    *out = fixed::cos_sin(I0F32::from_bits(turn));
+}
+
+extern "C" fn turn_cos_sin16(_: u32, turn: i16, out: &mut CosSin<I1F15>) {
+    *out = fixed16::cos_sin(I0F16::from_bits(turn));
 }
 
 extern "C" fn new_cos_power(out: &mut Fixed<CosPower>, k: u32) {
     *out = Fixed(CosPower::new(U16F16::from_bits(k)));
 }
 
-extern "C" fn warp<L: FixedLaw>(law: &Fixed<L>, u: u32, out: &mut CosSin<I1F31>) {
-    *out = law.warp(U0F32::from_bits(u));
+extern "C" fn warp<L: Operations>(law: &L, u: L::Probability, out: &mut CosSin<L::Component>) {
+    *out = law.warp(u);
 }
 
-extern "C" fn warp_sf<L: FixedLaw>(law: &Fixed<L>, q: u32, out: &mut CosSin<I1F31>) {
-    *out = law.warp_sf(U0F32::from_bits(q));
+extern "C" fn warp_sf<L: Operations>(law: &L, q: L::Probability, out: &mut CosSin<L::Component>) {
+    *out = law.warp_sf(q);
 }
 
-extern "C" fn quantile<L: FixedLaw>(law: &Fixed<L>, p: u32) -> i32 {
-    law.quantile(U0F32::from_bits(p)).to_bits()
+extern "C" fn quantile<L: Operations>(law: &L, p: L::Probability) -> L::Turn {
+    law.quantile(p)
 }
 
-extern "C" fn isf<L: FixedLaw>(law: &Fixed<L>, p: u32) -> i32 {
-    law.isf(U0F32::from_bits(p)).to_bits()
+extern "C" fn isf<L: Operations>(law: &L, p: L::Probability) -> L::Turn {
+    law.isf(p)
 }
 
-extern "C" fn cdf<L: FixedLaw>(law: &Fixed<L>, turn: i32) -> u32 {
-    law.cdf(I0F32::from_bits(turn)).to_bits()
+extern "C" fn cdf<L: Operations>(law: &L, theta: L::Turn) -> L::Probability {
+    law.cdf(theta)
 }
 
-extern "C" fn sf<L: FixedLaw>(law: &Fixed<L>, turn: i32) -> u32 {
-    law.sf(I0F32::from_bits(turn)).to_bits()
+extern "C" fn sf<L: Operations>(law: &L, theta: L::Turn) -> L::Probability {
+    law.sf(theta)
 }
 
-extern "C" fn pdf<L: FixedLaw>(law: &Fixed<L>, turn: i32, out: &mut L::Density) {
-    *out = law.pdf(I0F32::from_bits(turn));
+extern "C" fn pdf<L: Operations>(law: &L, theta: L::Turn, out: &mut L::Density) {
+    *out = law.pdf(theta);
 }
 
-extern "C" fn density<L: FixedLaw>(law: &Fixed<L>, at: &CosSin<I1F31>, out: &mut L::Density) {
+extern "C" fn density<L: Operations<Component: Copy>>(
+    law: &L,
+    at: &CosSin<L::Component>,
+    out: &mut L::Density,
+) {
     *out = law.density(*at);
 }
 
-extern "C" fn unwarp<L: FixedLaw>(law: &Fixed<L>, at: &CosSin<I1F31>) -> u32 {
-    law.unwarp(*at).to_bits()
+extern "C" fn unwarp<L: Operations<Component: Copy>>(
+    law: &L,
+    at: &CosSin<L::Component>,
+) -> L::Probability {
+    law.unwarp(*at)
 }
 
-extern "C" fn unwarp_sf<L: FixedLaw>(law: &Fixed<L>, at: &CosSin<I1F31>) -> u32 {
-    law.unwarp_sf(*at).to_bits()
+extern "C" fn unwarp_sf<L: Operations<Component: Copy>>(
+    law: &L,
+    at: &CosSin<L::Component>,
+) -> L::Probability {
+    law.unwarp_sf(*at)
 }
 
-extern "C" fn sample<L: FixedLaw, R: Rng>(law: &Fixed<L>, rng: &mut R, out: &mut L::Direction) {
+extern "C" fn sample<L: Operations, R: Rng>(law: &L, rng: &mut R, out: &mut L::Direction) {
     *out = law.sample(rng);
 }
 
 /// Refers to every operation of a law, so that none is left out of the image.
-fn keep<L: FixedLaw>() {
+fn keep<L: Operations<Component: Copy>>() {
     black_box([
         warp::<L> as *const (),
         warp_sf::<L> as *const (),
@@ -138,19 +175,28 @@ fn keep<L: FixedLaw>() {
     ]);
 }
 
+fn keep_both<L>()
+where
+    L: FixedLaw + Fixed16Law,
+{
+    keep::<Fixed<L>>();
+    keep::<Fixed16<L>>();
+}
+
 /// The image's entry.
 #[unsafe(no_mangle)]
 pub extern "C" fn _start(x: u32) -> u32 {
-    keep::<Lambert>();
-    keep::<SphereShell>();
-    keep::<Ball>();
-    keep::<CosPower>();
-    keep::<Disk>();
-    keep::<CircleShell>();
-    keep::<CircleArc>();
+    keep_both::<Lambert>();
+    keep_both::<SphereShell>();
+    keep_both::<Ball>();
+    keep::<Fixed<CosPower>>();
+    keep_both::<Disk>();
+    keep_both::<CircleShell>();
+    keep_both::<CircleArc>();
     black_box([
         empty as *const (),
         turn_cos_sin as *const (),
+        turn_cos_sin16 as *const (),
         new_cos_power as *const (),
         word::<Xorshift> as *const (),
         word::<Pcg> as *const (),

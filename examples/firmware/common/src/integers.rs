@@ -99,7 +99,7 @@ fn word(signed: i32) -> u64 {
 }
 
 /// In turn: any two words; words within 2¹⁶ of 0, of eighths of a turn and of the signs' ends.
-fn input(index: u32) -> (u32, u32) {
+pub(crate) fn input(index: u32) -> (u32, u32) {
     let (a, b) = (mix(index, 0), mix(index, 1));
     let beside = |w: u64| {
         let (end, step) = (

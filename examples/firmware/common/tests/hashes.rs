@@ -5,7 +5,7 @@
 //! `COSLOBE_LAST` at compile time says up to which count; 1048576 takes all that there are.
 
 use coslobe::{Fast, Precise};
-use coslobe_common::{Answer, Integers, Laws, Stream, answer};
+use coslobe_common::{Answer, Integers, Integers16, Laws, Stream, answer};
 
 const EXPECTED: &str = include_str!("../../hashes.txt");
 
@@ -59,6 +59,11 @@ fn precise_f64_hashes() {
 #[test]
 fn fixed_hashes() {
     hashes_in::<Integers>();
+}
+
+#[test]
+fn fixed16_hashes() {
+    hashes_in::<Integers16>();
 }
 
 /// One changed result changes the hash, wherever it is; so do two changed signs.

@@ -11,27 +11,27 @@ use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
 /// Angles in turns from both ends of the support; of both signs in the plane.
-fn turns(planar: bool) -> [I0F32; COUNT] {
+pub(crate) fn turns<T: Format>(planar: bool) -> [T; COUNT] {
     core::array::from_fn(|i| {
         let d = FROM_END[i / 2] / core::f64::consts::TAU;
         let turn = if i % 2 == 0 { d } else { 0.25 - d };
-        I0F32::from_num(if planar && i % 4 >= 2 { -turn } else { turn })
+        T::from_num(if planar && i % 4 >= 2 { -turn } else { turn })
     })
 }
 
 /// Unit vectors at those angles.
-fn pairs(planar: bool) -> [CosSin<I1F31>; COUNT] {
+pub(crate) fn pairs<T: Format>(planar: bool) -> [CosSin<T>; COUNT] {
     crate::inputs::pairs::<f64>(planar).map(|at| CosSin {
-        cos: I1F31::saturating_from_num(at.cos),
-        sin: I1F31::saturating_from_num(at.sin),
+        cos: T::saturating_from_num(at.cos),
+        sin: T::saturating_from_num(at.sin),
     })
 }
 
 /// From both ends.
-fn probabilities() -> [U0F32; COUNT] {
+pub(crate) fn probabilities<T: Format>() -> [T; COUNT] {
     core::array::from_fn(|i| {
         let p = TAILS[i / 2];
-        U0F32::saturating_from_num(if i % 2 == 0 { p } else { 1.0 - p })
+        T::saturating_from_num(if i % 2 == 0 { p } else { 1.0 - p })
     })
 }
 

@@ -12,6 +12,7 @@
 #![no_std]
 
 mod fixed;
+mod fixed16;
 mod generator;
 mod inputs;
 mod laws;
@@ -19,5 +20,6 @@ mod meter;
 pub mod peers;
 
 pub use fixed::every_fixed_law;
+pub use fixed16::every_fixed16_law;
 pub use laws::{Number, every_law};
 pub use meter::{Meter, run};

@@ -2,9 +2,10 @@
 #![allow(dead_code)] // which ones are used, COSLOBE_CALLS says
 
 use ::fixed::traits::Fixed as Format;
-use ::fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use ::fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};
 use core::convert::Infallible;
 use coslobe::fixed::FixedLaw;
+use coslobe::fixed16::Fixed16Law;
 use coslobe::rand_core::TryRng;
 use coslobe::*;
 
@@ -133,6 +134,47 @@ where
         ^ fixed.density(a).to_bits();
     let signed = fixed.quantile(p).to_bits() ^ fixed.isf(p).to_bits() ^ b.sin.to_bits();
     unsigned ^ signed as u32 ^ fixed_sampler(law, rng)
+}
+
+/// A sampler in 16 bits alone.
+pub(crate) fn fixed16_sampler<L>(law: L, rng: &mut Words) -> u32
+where
+    L: Fixed16Law<Direction: AsRef<[I1F15]>>,
+{
+    let d = Fixed16(law).sample(rng);
+    d.as_ref().iter().fold(0, |sum, c| sum ^ c.to_bits() as u32)
+}
+
+/// Every operation in 16 bits.
+pub(crate) fn fixed16_everything(x: u32, rng: &mut Words) -> u32 {
+    fixed16_law(Disk, x, rng)
+        ^ fixed16_law(CircleShell, x, rng)
+        ^ fixed16_law(CircleArc, x, rng)
+        ^ fixed16_law(Ball, x, rng)
+        ^ fixed16_law(SphereShell, x, rng)
+        ^ fixed16_law(Lambert, x, rng)
+}
+
+fn fixed16_law<L>(law: L, x: u32, rng: &mut Words) -> u32
+where
+    L: Fixed16Law<Direction: AsRef<[I1F15]>>,
+{
+    let short = Fixed16(law);
+    let (p, theta) = (U0F16::from_bits(x as u16), I0F16::from_bits(x as i16));
+    let (a, b) = (short.warp(p), short.warp_sf(p));
+    let unsigned = short.pdf(theta).to_bits()
+        ^ short.cdf(theta).to_bits()
+        ^ short.sf(theta).to_bits()
+        ^ short.unwarp(a).to_bits()
+        ^ short.unwarp_sf(b).to_bits()
+        ^ short.density(a).to_bits();
+    let signed = short.quantile(p).to_bits() ^ short.isf(p).to_bits() ^ b.sin.to_bits();
+    u32::from(unsigned) ^ signed as u32 ^ fixed16_sampler(law, rng)
+}
+
+/// What a Cortex-M0 needs a routine for.
+pub(crate) fn long_product(x: u32, rng: &mut Words) -> u32 {
+    ((u64::from(x) * u64::from(rng.0)) >> 32) as u32
 }
 
 /// `CosPower`'s sampler alone.

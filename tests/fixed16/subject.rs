@@ -1,0 +1,65 @@
+//! The operations of the 16-bit type beside what they should be.
+// Its items are those of one test file.
+#![allow(unreachable_pub)]
+
+use crate::truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
+use coslobe::fixed16::Fixed16Law;
+use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed16, Lambert, SphereShell};
+use fixed::types::{I0F16, I1F15, U0F16};
+use std::ops::Deref;
+
+pub type Pair = CosSin<I1F15>;
+
+/// A law and its operations on bare words.
+#[derive(Clone, Copy)]
+pub struct Subject {
+    pub truth: Truth,
+    pub warp: fn(u16) -> Pair,
+    pub warp_sf: fn(u16) -> Pair,
+    pub unwarp: fn(Pair) -> u16,
+    pub unwarp_sf: fn(Pair) -> u16,
+    pub density: fn(Pair) -> u16,
+    pub pdf: fn(i16) -> u16,
+    pub cdf: fn(i16) -> u16,
+    pub sf: fn(i16) -> u16,
+    pub quantile: fn(u16) -> i16,
+    pub isf: fn(u16) -> i16,
+}
+
+impl Deref for Subject {
+    type Target = Truth;
+    fn deref(&self) -> &Truth {
+        &self.truth
+    }
+}
+
+fn law<L: Default>() -> Fixed16<L> {
+    Fixed16(L::default())
+}
+
+fn subject<L: Fixed16Law + Default>(truth: Truth) -> Subject {
+    Subject {
+        truth,
+        warp: |u| law::<L>().warp(U0F16::from_bits(u)),
+        warp_sf: |u| law::<L>().warp_sf(U0F16::from_bits(u)),
+        unwarp: |at| law::<L>().unwarp(at).to_bits(),
+        unwarp_sf: |at| law::<L>().unwarp_sf(at).to_bits(),
+        density: |at| law::<L>().density(at).to_bits(),
+        pdf: |t| law::<L>().pdf(I0F16::from_bits(t)).to_bits(),
+        cdf: |t| law::<L>().cdf(I0F16::from_bits(t)).to_bits(),
+        sf: |t| law::<L>().sf(I0F16::from_bits(t)).to_bits(),
+        quantile: |u| law::<L>().quantile(U0F16::from_bits(u)).to_bits(),
+        isf: |u| law::<L>().isf(U0F16::from_bits(u)).to_bits(),
+    }
+}
+
+pub fn subjects() -> [Subject; 6] {
+    [
+        subject::<Disk>(DISK),
+        subject::<CircleShell>(CIRCLE_SHELL),
+        subject::<CircleArc>(CIRCLE_ARC),
+        subject::<Ball>(BALL),
+        subject::<SphereShell>(SPHERE_SHELL),
+        subject::<Lambert>(LAMBERT),
+    ]
+}
