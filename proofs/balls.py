@@ -61,6 +61,11 @@ class Tape:
         """A rounded result; `most` bounds the rounding where underflow is far and more is known."""
         return self.number(value, terms, max(self.half_ulp(value.abs_upper()), self.least) if most is None else most)
 
+    def summed(self, a, b, terms):
+        """a + b rounded: exact among subnormal numbers, and no farther off than a or b, which are numbers too."""
+        most = self.half_ulp((a + b).abs_upper())
+        return self.rounded(a + b, terms, min(most, a.abs_upper(), b.abs_upper()))
+
     def constant(self, true, held):
         """A number of the table that stands for another."""
         return self.number(true, (), abs(arb(held) - true).upper())
@@ -74,6 +79,10 @@ class Tape:
     def fast_sum(self, total, terms):
         error = self.number(arb(0), (), self.half_ulp(total.abs_upper()))
         return self.number(total + error.value, (*terms, (error.at, 1))), -error
+
+    def before(self, result):
+        """`result` without its rounding."""
+        return self.number(result.value, self.terms[result.at])
 
     def off(self, result):
         """Bound of |result - what it is without roundings|."""
@@ -109,10 +118,15 @@ class Nearest(Exact):
     def rounded(self, value, terms, most=None):
         # Rounding is monotone: the ends of a ball that is not exact hold what it rounds to.
         low, high = nearest(self.form, value.lower()), nearest(self.form, value.upper())
-        return self.number(low if low == high else low.union(high))
+        result = self.number(low if low == high else low.union(high))
+        result.raw = value
+        return result
 
     def constant(self, true, held):
         return self.number(arb(held))
+
+    def before(self, result):
+        return self.number(result.raw)
 
     def dropped(self, v, least):
         return self.number(arb(0)) if v.value < least else v
@@ -125,7 +139,7 @@ class Nearest(Exact):
 class Number:
     """A number of the format; + - * round. Floats are constants of the source."""
 
-    __slots__ = "tape", "at", "value"
+    __slots__ = "tape", "at", "value", "raw"
 
     def __init__(self, tape, at, value):
         self.tape, self.at, self.value = tape, at, value
@@ -140,14 +154,45 @@ class Number:
 
     def __add__(self, b):
         if isinstance(b, Number):
-            return self.tape.rounded(self.value + b.value, ((self.at, 1), (b.at, 1)))
-        return self.tape.rounded(self.value + arb(b), ((self.at, 1),))
+            return self.tape.summed(self.value, b.value, ((self.at, 1), (b.at, 1)))
+        return self.tape.summed(self.value, arb(b), ((self.at, 1),))
+
+    __rmul__, __radd__ = __mul__, __add__
 
     def __sub__(self, b):
-        return self.tape.rounded(self.value - b.value, ((self.at, 1), (b.at, -1)))
+        return self.tape.summed(self.value, -b.value, ((self.at, 1), (b.at, -1)))
+
+    def __rsub__(self, b):
+        return self.tape.summed(arb(b), -self.value, ((self.at, -1),))
+
+    def __truediv__(self, b):
+        y = self.value / b.value
+        return self.tape.rounded(y, ((self.at, 1 / b.value), (b.at, -y / b.value)))
+
+    def share_of(self, whole):
+        """self / whole where self <= whole: at most 1 before its rounding and after."""
+        y = self.value / whole.value
+        return self.tape.rounded(y, ((self.at, 1 / whole.value), (whole.at, -y / whole.value)),
+                                 self.tape.half_ulp(min(y.abs_upper(), arb(1))))
+
+    def sqrt(self):
+        y = self.value.sqrt()
+        return self.tape.rounded(y, ((self.at, 1 / (2 * y)),))
 
     def __neg__(self):
         return self.tape.number(-self.value, ((self.at, -1),))
+
+    def sqrt_times(self, b):
+        """root.rs sqrt_scaled of a b: scaled by a power of 4, so that the product does not underflow."""
+        product = self.value * b.value
+        most = self.tape.half_ulp(product.abs_upper())
+        return self.tape.rounded(product, ((self.at, b.value), (b.at, self.value)), most).sqrt()
+
+    def sqrt_over(self, b):
+        """sqrt_scaled of a / b."""
+        ratio = self.value / b.value
+        most = self.tape.half_ulp(ratio.abs_upper())
+        return self.tape.rounded(ratio, ((self.at, 1 / b.value), (b.at, -ratio / b.value)), most).sqrt()
 
     def plus(self, b):
         """a + b as it is before a rounding."""
