@@ -1,6 +1,7 @@
 """Kernels that the laws share, in roundings (balls.py): the cube root, angles, unevaluated pairs."""
 
 import csv
+import re
 from functools import lru_cache
 
 from balls import Nearest, arb, exponents, fast_sum, horner, nearest, power
@@ -16,8 +17,8 @@ def proved(kernel, form):
     return next(float(r["before_rounding"]) for r in rows if (r["kernel"], r["format"]) == (kernel, form))
 
 
-def cbrt(tape, y):
-    """cbrt.rs cbrt."""
+def cbrts(tape, y):
+    """cbrt.rs cbrt; of one number both of the neighbours that its bound leaves."""
     form, root = tape.form, y.value.root(3)
     top = root.upper()
     k = exponents(top)[1]
@@ -25,8 +26,12 @@ def cbrt(tape, y):
     within = sum(top > arb(place) * power(k - 1) for place in PLACES)
     # Below the binade that top lies in the ulp is half.
     error = max(places[-1] / 2, *places[:max(within, 1)]) * power(k - form.bits)
-    near = tape.number(root, ((y.at, 1 / (3 * root * root)),), error.upper())
-    return tape.rounded(near.value, ((near.at, 1),))
+    near = tape.unknown(root, ((y.at, 1 / (3 * root * root)),), error.upper())
+    if isinstance(tape, Nearest):
+        ends = nearest(form, near.value.lower()), nearest(form, near.value.upper())
+        assert ends[1] - ends[0] <= power(k - form.bits)
+        return [tape.number(x) for x in (ends if ends[0] < ends[1] else ends[:1])]
+    return [tape.rounded(near.value, ((near.at, 1),))]
 
 
 class Pair:
@@ -44,6 +49,7 @@ class Pair:
 
     def value(self):
         return self.hi + self.lo
+
 
 
 def constant(tape, exact, held):
@@ -71,43 +77,43 @@ def from_end(tape, a, far):
     return Pair(*fast_sum(d, rest))
 
 
-def small(tape, x, sin_of, cos_of):
+def small(tape, x):
     """trig.rs small: (cos, sin)."""
     form, v = tape.form, x.hi * x.hi
     v = tape.dropped(v, power(3 * negligible(form)))
     half = v * 0.5
     w, w_error = fast_sum(tape.number(arb(1)), -half)
-    cube = (x.hi * v) * horner(v, sin_of)
+    cube = (x.hi * v) * horner(v, form.poly["sin"])
     square = v.value.abs_upper()
-    cube = off_by(tape, cube, x.hi.value.abs_upper() * square * missed(form, "sin", sin_of))
+    cube = off_by(tape, cube, x.hi.value.abs_upper() * square * missed(form, "sin"))
     rest = x.lo * w + cube
-    fourth = off_by(tape, (v * v) * horner(v, cos_of), square * square * missed(form, "cos", cos_of))
+    fourth = off_by(tape, (v * v) * horner(v, form.poly["cos"]), square * square * missed(form, "cos"))
     return Pair(*fast_sum(w, w_error + (fourth - x.hi * x.lo))), Pair(*fast_sum(x.hi, rest))
+
+
+def at_angle(tape, a, far):
+    """trig.rs at_angle: (cos, sin)."""
+    if far:
+        return small(tape, from_end(tape, a, True))[::-1]
+    return small(tape, Pair(a, tape.number(arb(0))))
 
 
 @lru_cache
 def negligible(form):
-    import re
     text = (ROOT / f"src/number/{form.name}.rs").read_text()
     return int(re.search(r"const NEGLIGIBLE: f\d\d = power_of_two\((-\d+)\);", text)[1])
 
 
-KNOWN = {}
-
-
-def missed(form, name, cs):
-    """approximation() of each polynomial once."""
-    key = form.name, name, tuple(cs)
-    if key not in KNOWN:
-        KNOWN[key] = approximation(form, name, cs)
-    return arb(KNOWN[key])
+def missed(form, name):
+    return arb(approximation(form, name))
 
 
 def angle(tape, cos, sin):
-    """atan.rs of_pair, before its last rounding: the pair's angle is off by what bounds.csv has."""
+    """atan.rs of_pair."""
     c, s = cos.value, sin.value
     square = c * c + s * s
     theta = arb.atan2(s, c)
     ulp = power(exponents(theta.upper())[0] + 1 - tape.form.bits)
     error = (arb(proved("atan", tape.form.name)) * ulp).upper()
-    return tape.number(theta, ((sin.at, c / square), (cos.at, -s / square)), error)
+    near = tape.unknown(theta, ((sin.at, c / square), (cos.at, -s / square)), error)
+    return tape.rounded(near.value, ((near.at, 1),))

@@ -4,6 +4,7 @@ The domain is bisected until a piece's bound is below the goal. A piece that has
 settled by rounding those, operation by operation.
 """
 
+from copy import copy
 from heapq import heappop, heappush
 
 from balls import PRECISION, Nearest, Tape, arb, ctx, exponents, nearest, power
@@ -86,6 +87,13 @@ class Sweep:
                 push(low, middle := self.middle(low, high))
                 push(middle, high)
                 return
+            few = self.numbers(low, high)
+            if few is not None:
+                for x in few:
+                    self.one(x)
+                return
+            if high > low * 1.5:
+                self.one(nearest(self.form, low.mid()))  # a formula that is not the closed form's would show
             before, after = self.whole(low, high)
             heappush(heap, (-after, -before, self.count, low, high))
 
@@ -93,16 +101,13 @@ class Sweep:
             push(arb(low), arb(high))
         while heap:
             after, before, _, low, high = heap[0]
-            if not -after > self.goal or -before > HOPELESS or high - low < high * NARROW:
+            width = (high - low) / high
+            if not -after > self.goal or width < NARROW or -before > HOPELESS and width < 2.0**-8:
                 break
             heappop(heap)
-            few = self.numbers(low, high)
-            if few is None:
-                middle = self.middle(low, high)
-                push(low, middle)
-                push(middle, high)
-            for x in few or []:
-                self.one(x)
+            middle = self.middle(low, high)
+            push(low, middle)
+            push(middle, high)
         for after, before, *_ in heap:
             self.keep(-before, -after)
         return Proved(*self.worst)
@@ -115,11 +120,18 @@ class Sweep:
         return ((low + high) / 2).mid()
 
 
-def swept(form, cs, _, formulas, goal):
+def swept(form, cs, _, formulas, goal, poly=None):
     """A part a formula of `formulas(form, one)`; `one` is 1, or what a planted fault puts for it."""
     if arb is None:
         raise Missing("python-flint is not installed")
+    form, one = (spoiled(form, poly, cs), 1.0) if poly else (form, 1 + cs[0] if cs else 1.0)
     with LOCK:
         ctx.prec = PRECISION
-        for formula in formulas(form, 1 + cs[0] if cs else 1.0):
+        for formula in formulas(form, one):
             yield Sweep(form, formula, goal).run()
+
+
+def spoiled(form, poly, cs):
+    form = copy(form)
+    form.poly = {**form.poly, poly: cs}
+    return form
