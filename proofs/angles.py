@@ -3,9 +3,9 @@
 Of an angle beyond pi/4 the distance from pi/2 counts, as pair (trig.rs fold): pieces halve it down to the last number.
 """
 
-from balls import arb, fast_sum, horner
+from balls import arb
 from laws import pieces
-from pairs import Pair, at_angle, constant, from_end, missed, off_by
+from pairs import at_angle, constant, from_end
 from sweep import Formula
 
 
@@ -63,16 +63,6 @@ def disk_pdf(form, one):
                lambda a: 2 * a.cos()**2 / arb.pi())
 
 
-def ball_pdf(form, one):
-    return pdf(form, one, lambda t, one, c, s: c.times(c).times(c.times(s)).times(held(t, one, "two_over_pi", 2 / arb.pi())),
-               lambda a: 2 * a.cos()**3 * a.sin() / arb.pi(), 0, 0.5235987755982988)
-
-
-def ball_solid(form, one):
-    return pdf(form, one, lambda t, one, c, s: c.times(c).times(c.times(held(t, one, "two_over_pi", 2 / arb.pi()))),
-               lambda a: 2 * a.cos()**3 / arb.pi())
-
-
 def shell_pdf(form, one):
     return pdf(form, one, lambda t, one, c, s: c.times(s).times(c).times(held(t, one, "three_over_two_pi", 3 / (2 * arb.pi()))),
                lambda a: 3 * a.cos()**2 * a.sin() / (2 * arb.pi()), 0, 0.6154797086703874)
@@ -83,53 +73,8 @@ def shell_solid(form, one):
                lambda a: 3 * a.cos()**2 / (2 * arb.pi()))
 
 
-def lambert_pdf(form, one):
-    return pdf(form, one, lambda t, one, c, s: c.times(s).times(held(t, one, "recip_pi", 1 / arb.pi())),
-               lambda a: a.cos() * a.sin() / arb.pi())
-
-
 def lambert_solid(form, one):
     return pdf(form, one, lambda t, one, c, s: c.times(held(t, one, "recip_pi", 1 / arb.pi())), lambda a: a.cos() / arb.pi())
-
-
-def both(form, one, upper, lower_tail, upper_tail, lower_true, upper_true, middle, degree):
-    """A spatial law's cdf or sf (`upper`): the nearer tail below `middle` is the lower; the farther is 1 - the nearer."""
-    slack = 32 * form.u
-    found = []
-    for is_upper, tail, true, ends in [(False, lower_tail, lower_true, (0, middle * (1 + slack))),
-                                       (True, upper_tail, upper_true, (middle * (1 - slack), last(form)))]:
-        def result(tape, a, far, tail=tail, is_upper=is_upper):
-            p = tail(tape, tape.constant(arb(1), one), *at_angle(tape, a, far))
-            return p if is_upper == upper else 1.0 - p
-        found += over_angles(form, result, (upper_true if upper else lower_true), degree if is_upper == upper else 0, ends)
-    return found
-
-
-def lambert_tails(form, one, upper):
-    return both(form, one, upper, lambda t, one, c, s: s.times(Pair(s.hi * one, s.lo)).value(),
-                lambda t, one, c, s: c.times(c).value(), lambda a: a.sin()**2, lambda a: a.cos()**2, fold(form), 2)
-
-
-def ball_tails(form, one, upper):
-    def lower(t, one, c, s):
-        return s.times(s).value() * (one + c.times(c).value())
-
-    def nearer(t, one, c, s):
-        c2 = c.times(c)
-        return c2.times(c2).value()
-
-    return both(form, one, upper, lower, nearer, lambda a: a.sin()**2 * (1 + a.cos()**2), lambda a: a.cos()**4,
-                0.5718588702012103, 2)
-
-
-def shell_tails(form, one, upper):
-    def lower(t, one, c, s):
-        s2, cos = s.times(s).value(), c.value()
-        next_to = one + cos
-        return s2 * (next_to + cos * cos) / next_to
-
-    return both(form, one, upper, lower, lambda t, one, c, s: c.times(c).times(c).value(),
-                lambda a: a.sin()**2 * (1 + a.cos() + a.cos()**2) / (1 + a.cos()), lambda a: a.cos()**3, 0.6539279425002232, 2)
 
 
 def planar(form, nearer, tail, true):
@@ -156,25 +101,3 @@ def arc_tails(form, one, nearer):
         return from_end(tape, a, far).times(held(tape, one, "recip_pi", 1 / arb.pi())).value()
 
     return planar(form, nearer, tail, lambda a: (arb.pi() / 2 - a) / arb.pi())
-
-
-def disk_tails(form, one, nearer):
-    """kepler.rs tail_at_angle."""
-    def tail(tape, a, far):
-        eta = from_end(tape, a, far)
-        h = eta.hi * eta.hi
-        c0 = held(tape, one, "two_over_three_pi", 2 / (3 * arb.pi()))
-        bend = off_by(tape, h * horner(h, form.poly["disk_tail"]), h.value.abs_upper() * missed(form, "disk_tail"))
-        shape = fast_sum(c0.hi, c0.lo + bend)
-        slope = 3.0 - h * form.rounded(2 / 5)
-        cube = Pair(h * eta.hi, slope * h * eta.lo)
-        return cube.times(Pair(*shape)).value()
-
-    def true(a):
-        eta = arb.pi() / 2 - a
-        if eta > 0.01:
-            return (eta - eta.sin() * eta.cos()) / arb.pi()
-        s = eta.sin()
-        return 2 * s**3 / (3 * arb.pi()) * (s * s).hypgeom_2f1(0.5, 1.5, 2.5)
-
-    return planar(form, nearer, tail, true)

@@ -51,6 +51,8 @@ KERNELS = [
     law("disk unwarp far", "Disk", ["unwarp", "unwarp_sf"], laws.disk_unwarp, "kepler.rs", "all", nearer=False),
     law("disk pdf", "Disk", ["pdf"], angles.disk_pdf, "disk.rs", "[0, pi/2]"),
     law("lambert pdf_solid_angle", "Lambert", ["pdf_solid_angle"], angles.lambert_solid, "lambert.rs", "[0, pi/2]"),
+    law("shell pdf", "SphereShell", ["pdf"], angles.shell_pdf, "sphere_shell.rs", "[0, pi/2]"),
+    law("shell pdf_solid_angle", "SphereShell", ["pdf_solid_angle"], angles.shell_solid, "sphere_shell.rs", "[0, pi/2]"),
     law("arc tail", "CircleArc", ["cdf", "sf"], angles.arc_tails, "circle_arc.rs", "[0, pi/2]", nearer=True),
     law("arc tail far", "CircleArc", ["cdf", "sf"], angles.arc_tails, "circle_arc.rs", "[0, pi/2]", nearer=False),
     law("circle tail", "CircleShell", ["cdf", "sf"], angles.circle_tails, "circle_shell.rs", "[0, pi/2]", nearer=True),

@@ -13,7 +13,7 @@ from tools import LOCK, Missing
 
 FEW = 4  # numbers that are rounded one by one
 NARROW = 2.0**-70
-HOPELESS = 32  # ulps
+HOPELESS = 256  # ulps
 
 
 class Formula:
