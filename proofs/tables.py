@@ -44,3 +44,14 @@ def exact(x):
     sign = "-" if mantissa.startswith("-") else ""
     whole, _, fraction = mantissa.lstrip("-").partition(".")
     return f"{sign}{int(whole + fraction, 16)}b{int(exponent) - 4 * len(fraction)}"
+
+
+def claim(law, *operations):
+    """The least of docs/bounds.md's cells of f64."""
+    lines = (ROOT / "docs/bounds.md").read_text().split("## f64\n")[1].splitlines()
+    rows = [[c.strip() for c in line.strip("|").split("|")] for line in lines[1:] if line.startswith("|")]
+    column = rows[0].index(law)
+    found = {}
+    for row in rows[2:]:
+        found.setdefault(row[0], row[column])
+    return min(float(found[operation]) for operation in operations)

@@ -59,9 +59,19 @@ TOPS = {
 }
 
 
+KNOWN = {}
+
+
 def approximation(form, name, coefficients=None):
     """Certified max |P - f| of a polynomial of the table, with the remainder of f's series."""
     cs = form.poly[name] if coefficients is None else coefficients
+    key = form.name, name, tuple(cs)
+    if key not in KNOWN:
+        KNOWN[key] = certified(name, cs)
+    return KNOWN[key]
+
+
+def certified(name, cs):
     if name.startswith("kepler"):
         return max(residuals(name, cs)[0])
     p = polynomial(cs, "x", number)
