@@ -106,14 +106,3 @@ def negligible(form):
 
 def missed(form, name):
     return arb(approximation(form, name))
-
-
-def angle(tape, cos, sin):
-    """atan.rs of_pair."""
-    c, s = cos.value, sin.value
-    square = c * c + s * s
-    theta = arb.atan2(s, c)
-    ulp = power(exponents(theta.upper())[0] + 1 - tape.form.bits)
-    error = (arb(proved("atan", tape.form.name)) * ulp).upper()
-    near = tape.unknown(theta, ((sin.at, c / square), (cos.at, -s / square)), error)
-    return tape.rounded(near.value, ((near.at, 1),))
