@@ -46,7 +46,7 @@
 //! ```
 //!
 //! What each costs is in [`accuracy`], measured beside its errors. Where there is no floating-point unit, `Fixed(Disk)`
-//! (feature `fixed`) is the same law in integers alone. [`check`] is a self-test for power-on.
+//! (feature `fixed`) is the same law in integers alone, `Fixed16(Disk)` in 16 bits. [`check`] is a self-test for power-on.
 //!
 //! # Where to enter
 //!
