@@ -11,12 +11,13 @@ use rayon::prelude::*;
 use std::path::Path;
 
 /// Binary, law and operation: of three binaries, since building them takes most of the time.
-const CELLS: [[&str; 3]; 6] = [
+const CELLS: [[&str; 3]; 7] = [
     ["f32", "Lambert", "sample"],
     ["f32", "Disk", "quantile"],
     ["f32", "SphereShell", "cdf"],
     ["fixed", "Lambert", "sample_xorshift"],
     ["fixed", "Disk", "cdf"],
+    ["fixed16", "Lambert", "sample_xorshift"],
     ["libm", "Lambert", "sample"],
 ];
 
