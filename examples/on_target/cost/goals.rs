@@ -8,8 +8,9 @@ const M0: (u64, f64) = (600, 12.0);
 const FLASH: u64 = 2048;
 const STACK: u64 = 160;
 
-/// The type of integers alone, and the peer that the goals name.
+/// The types of integers alone, and the peer that the goals name.
 pub(crate) const FIXED: &str = "Fixed";
+const FIXED16: &str = "Fixed16";
 pub(crate) const LIBM: &str = "textbook, libm f32";
 
 /// Directions by each generator.
@@ -47,7 +48,8 @@ impl Goal {
 /// Every goal.
 pub(crate) fn all(rows: &[Row]) -> Vec<Goal> {
     let mut goals = Vec::new();
-    for (board, name, (most, times)) in [("M4F", "f32", M4F), ("M0", FIXED, M0)] {
+    let wanted = [("M4F", "f32", M4F), ("M0", FIXED, M0), ("M0", FIXED16, M0)];
+    for (board, name, (most, times)) in wanted {
         let cells = SAMPLES
             .into_iter()
             .flat_map(|sample| ["Lambert", "Ball"].map(|law| (sample, law)));

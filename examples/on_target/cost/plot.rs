@@ -22,7 +22,11 @@ pub(crate) fn draw(rows: &[Row]) -> Result<String, Box<dyn Error>> {
     svg(size, "What accuracy costs on small processors", |area| {
         let title = "Directions: largest relative error of (cos θ, sin θ) against mean instructions (QEMU), generator included";
         area.draw(&Text::new(title, (px(20.0), px(14.0)), bold(INK, 17.0)))?;
-        panel::legend(area, 42.0, &["Fixed, Fixed16, idsp: in integers, absolute error"])?;
+        panel::legend(
+            area,
+            42.0,
+            &["Fixed, Fixed16, idsp: in integers, absolute error"],
+        )?;
         for (i, law) in laws.iter().enumerate() {
             for (j, board) in BOARDS.iter().enumerate() {
                 let corner = (PANEL.0 * j as f64, TOP + PANEL.1 * i as f64);
