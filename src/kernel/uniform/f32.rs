@@ -134,9 +134,8 @@ mod tests {
         }
     }
 
-    /// `cargo test --release --lib uniform -- --ignored`
     #[test]
-    #[ignore = "all 2³² words, 10 s"]
+    #[ignore = "all 2³² words, 10 s: cargo test --release --lib uniform -- --ignored"]
     fn turns_are_the_conversions_exhaustively() {
         (0..=u32::MAX).for_each(same_turn);
     }
