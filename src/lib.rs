@@ -67,6 +67,9 @@
 //! ball and sphere*; [`SphereShell`] and [`CircleShell`] say where its measure differs from its
 //! problem statement.
 
+#[cfg(feature = "std")]
+extern crate std;
+
 pub mod accuracy;
 pub mod check;
 mod cos_sin;

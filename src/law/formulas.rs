@@ -21,7 +21,7 @@ pub trait Formulas<W: Kernel> {
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W>;
     fn lambert_weight(&self, at: CosSin<W>) -> W;
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         W::angle(self.warp_tails(p))
     }
@@ -73,7 +73,7 @@ where
 }
 
 impl<T: Real, L: Own + In<T>> Law<T> for L {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,
@@ -83,7 +83,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::OfOne,
@@ -93,7 +93,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: T) -> Tails<T> {
         Tails::of_array(T::rounded(
             Margin::Relative,
@@ -102,7 +102,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<T>) -> T {
         let [p] = T::rounded(
             Margin::Relative,
@@ -112,7 +112,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
         CosSin::of_array(T::rounded(
             Margin::Relative,
@@ -121,7 +121,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
         Tails::of_array(T::rounded(
             Margin::Relative,
@@ -134,7 +134,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<T>) -> T {
         let [theta] = T::rounded(
             Margin::Relative,
@@ -144,7 +144,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         into_support(theta)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<T>) -> T {
         let [weight] = T::rounded(
             Margin::Relative,
@@ -165,7 +165,7 @@ where
     L::Quick: SolidAngle<T::Quick>,
     L::Work: SolidAngle<T::Work>,
 {
-    #[inline]
+    #[inline(always)]
     fn pdf_solid_angle(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,

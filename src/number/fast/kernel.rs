@@ -5,7 +5,7 @@ use crate::kernel::fast::{angle, kepler, power, root};
 use crate::kernel::pair::Pair;
 use crate::kernel::table::Constants;
 use crate::kernel::trig;
-use crate::kernel::turn::into_quadrant;
+use crate::kernel::turn::{into_quadrant, nearest_quarter};
 use crate::number::kernel::{Kernel, Wide};
 use crate::number::native::Native;
 use crate::number::scalar::Scalar;
@@ -165,8 +165,8 @@ impl Kernel for Fast<f32> {
     }
     #[inline(always)]
     fn at_turn(u: Self) -> CosSin<Self> {
-        let quadrant = (u.0 * 4.0 + 0.5) as u32;
-        Self::at_quadrant(quadrant, Fast(u.0 - quadrant as f32 * 0.25))
+        let (quadrant, x) = nearest_quarter(u.0);
+        Self::at_quadrant(quadrant, Fast(x))
     }
     #[inline(always)]
     fn half_turn(p: Self) -> CosSin<Self> {
