@@ -1,15 +1,15 @@
 //! `Precise<f32>`: `f64` with a rounding test, double-double where it cannot decide.
 
 use super::Precise;
-use super::nearest::Grid;
-use crate::kernel::double::Double;
-use crate::kernel::pair::Pair;
-use crate::kernel::uniform::f32::parts_of_turn;
+use crate::arithmetic::double::Double;
+use crate::arithmetic::double::nearest::Grid;
+use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::uniform::f32::parts_of_turn;
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
 use crate::number::f64::power_of_two;
-use crate::number::kernel::Kernel;
-use crate::number::scalar::Scalar;
-use crate::number::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 

@@ -1,16 +1,16 @@
 //! `Precise<f64>`: double-double, with an exponent of its own where `f64`'s would not reach.
 
 use super::Precise;
-use super::nearest::{Grid, is_moderate};
-use crate::kernel::double::Double;
-use crate::kernel::pair::Pair;
-use crate::kernel::uniform::f64::parts_of_turn;
+use crate::arithmetic::double::Double;
+use crate::arithmetic::double::nearest::{Grid, is_moderate};
+use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::uniform::f64::parts_of_turn;
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::scaled::Scaled;
+use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
 use crate::number::f64::power_of_two;
-use crate::number::kernel::Kernel;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::number::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
