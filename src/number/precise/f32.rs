@@ -27,16 +27,10 @@ impl Holds<Precise<f32>> for Double {
     }
 }
 
-pub(super) const GRID: Grid = Grid {
-    digits: 24,
-    least: -126,
-    infinity: f32::INFINITY.to_bits() as u64,
-};
-
 /// The `f32` nearest to hi + lo.
 fn nearest_f32(x: Double) -> f32 {
     if x.hi.is_normal() {
-        f32::from_bits(GRID.nearest(x, 0) as u32).copysign(x.hi as f32)
+        f32::from_bits(Grid::F32.nearest(x, 0) as u32).copysign(x.hi as f32)
     } else {
         x.hi as f32
     }

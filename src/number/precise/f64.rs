@@ -27,16 +27,10 @@ impl Holds<Precise<f64>> for Double {
     }
 }
 
-pub(super) const GRID: Grid = Grid {
-    digits: 53,
-    least: -1022,
-    infinity: f64::INFINITY.to_bits(),
-};
-
 fn nearest_f64(x: Scaled) -> f64 {
     let hi = x.part.hi;
     if hi.is_finite() && hi != 0.0 {
-        f64::from_bits(GRID.nearest(x.part, x.exponent)).copysign(hi)
+        f64::from_bits(Grid::F64.nearest(x.part, x.exponent)).copysign(hi)
     } else {
         hi
     }
