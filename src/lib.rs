@@ -72,6 +72,7 @@ extern crate std;
 
 pub mod accuracy;
 mod arithmetic;
+pub mod batch;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
@@ -88,6 +89,7 @@ mod tails;
 pub mod uniform;
 mod weight;
 
+pub use batch::{Batch, LengthError};
 pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
 pub use fixed::Fixed;

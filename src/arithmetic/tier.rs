@@ -84,9 +84,9 @@ pub trait Tier: Scalar {
     fn of_base(x: Self::Base) -> Self;
 
     /// Random bits behind one [`Tails`].
-    type TailBits: Copy;
+    type TailBits: Copy + Default;
     /// Random bits behind one azimuth.
-    type TurnBits: Copy;
+    type TurnBits: Copy + Default;
     fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits;
     fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits;
     fn tails_of(bits: Self::TailBits) -> Tails<Self>;
