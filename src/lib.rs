@@ -81,6 +81,7 @@ mod law;
 mod moments;
 mod number;
 mod point;
+mod sample;
 mod tails;
 pub mod uniform;
 mod weight;
@@ -99,6 +100,7 @@ pub use moments::Moments;
 pub use number::{Fast, Precise, Real};
 pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
+pub use sample::Sample;
 pub use tails::Tails;
 pub use weight::{balance_heuristic, power_heuristic};
 
