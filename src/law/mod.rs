@@ -7,6 +7,7 @@ mod cos_power;
 mod disk;
 mod formulas;
 mod lambert;
+mod select;
 mod sphere_shell;
 
 pub use ball::Ball;
@@ -17,10 +18,10 @@ pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
 pub use sphere_shell::SphereShell;
 
-use crate::kernel::select::into_support;
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::tier::{Holds, Margin};
+use crate::law::select::into_support;
 use crate::number::Real;
-use crate::number::kernel::{Kernel, Wide};
-use crate::number::tier::{Holds, Margin};
 use crate::{CosSin, Frame, Moments, Sample, Tails, uniform};
 use rand_core::Rng;
 
