@@ -1,6 +1,6 @@
 //! What a batch reads, a block at a time: arrays of known length, over which loops become vectors.
 
-use crate::arithmetic::tier::Tier;
+use crate::arithmetic::tier::{Bits, Tier};
 use core::marker::PhantomData;
 use rand_core::Rng;
 
@@ -69,25 +69,50 @@ impl<X: Lanes, Y: Lanes> Lanes for (X, Y) {
     }
 }
 
-/// The words that as many calls of `sample` draw, in that order.
-pub(crate) struct Draws<'a, T, R: ?Sized> {
-    rng: &'a mut R,
-    number: PhantomData<T>,
-}
+/// Random words that are given.
+pub(crate) struct Words<'a, B>(pub(crate) &'a [B]);
 
-impl<'a, T: Tier, R: Rng + ?Sized> Draws<'a, T, R> {
-    pub(crate) fn new(rng: &'a mut R) -> Self {
-        Draws {
-            rng,
-            number: PhantomData,
-        }
+impl<B: Bits> Lanes for Words<'_, B> {
+    type Item = B;
+    type Block = [[B::Half; BLOCK]; 2];
+
+    #[inline(always)]
+    fn len(&self) -> impl IntoIterator<Item = usize> {
+        [self.0.len()]
+    }
+
+    #[inline(always)]
+    fn block(&mut self, at: usize, len: usize) -> Self::Block {
+        halves(&self.0.block(at, len))
+    }
+
+    #[inline(always)]
+    fn item([upper, lower]: &Self::Block, i: usize) -> B {
+        B::join([upper[i], lower[i]])
     }
 }
 
-/// Words of a law in space: of θ, and of the azimuth.
-impl<T: Tier, R: Rng + ?Sized> Lanes for Draws<'_, T, R> {
-    type Item = (T::TailBits, T::TurnBits);
-    type Block = ([T::TailBits; BLOCK], [T::TurnBits; BLOCK]);
+#[inline(always)]
+fn halves<B: Bits>(words: &[B; BLOCK]) -> [[B::Half; BLOCK]; 2] {
+    let [mut upper, mut lower] = [[B::Half::default(); BLOCK]; 2];
+    for i in 0..BLOCK {
+        [upper[i], lower[i]] = words[i].split();
+    }
+    [upper, lower]
+}
+
+/// The words that as many calls of `sample` of a law in the plane draw, in that order.
+pub(crate) struct PlanarDraws<'a, T, R: ?Sized>(&'a mut R, PhantomData<T>);
+
+impl<'a, T, R: ?Sized> PlanarDraws<'a, T, R> {
+    pub(crate) fn new(rng: &'a mut R) -> Self {
+        PlanarDraws(rng, PhantomData)
+    }
+}
+
+impl<T: Tier, R: Rng + ?Sized> Lanes for PlanarDraws<'_, T, R> {
+    type Item = T::TailBits;
+    type Block = [[<T::TailBits as Bits>::Half; BLOCK]; 2];
 
     #[inline(always)]
     fn len(&self) -> impl IntoIterator<Item = usize> {
@@ -96,17 +121,53 @@ impl<T: Tier, R: Rng + ?Sized> Lanes for Draws<'_, T, R> {
 
     #[inline(always)]
     fn block(&mut self, _: usize, len: usize) -> Self::Block {
-        let mut tails = [T::TailBits::default(); BLOCK];
-        let mut turns = [T::TurnBits::default(); BLOCK];
-        for (tail, turn) in tails.iter_mut().zip(&mut turns).take(len) {
-            *tail = T::draw_tail_bits(self.rng);
-            *turn = T::draw_turn_bits(self.rng);
+        let mut words = [T::TailBits::default(); BLOCK];
+        for word in words.iter_mut().take(len) {
+            *word = T::draw_tail_bits(self.0);
         }
-        (tails, turns)
+        halves(&words)
     }
 
     #[inline(always)]
-    fn item(block: &Self::Block, i: usize) -> Self::Item {
-        (block.0[i], block.1[i])
+    fn item(block: &Self::Block, i: usize) -> T::TailBits {
+        Words::item(block, i)
+    }
+}
+
+/// Those of a law in space: of θ, and of the azimuth.
+pub(crate) struct SpatialDraws<'a, T, R: ?Sized>(&'a mut R, PhantomData<T>);
+
+impl<'a, T, R: ?Sized> SpatialDraws<'a, T, R> {
+    pub(crate) fn new(rng: &'a mut R) -> Self {
+        SpatialDraws(rng, PhantomData)
+    }
+}
+
+impl<T: Tier, R: Rng + ?Sized> Lanes for SpatialDraws<'_, T, R> {
+    type Item = (T::TailBits, T::TurnBits);
+    type Block = (
+        [[<T::TailBits as Bits>::Half; BLOCK]; 2],
+        [T::TurnBits; BLOCK],
+    );
+
+    #[inline(always)]
+    fn len(&self) -> impl IntoIterator<Item = usize> {
+        []
+    }
+
+    #[inline(always)]
+    fn block(&mut self, _: usize, len: usize) -> Self::Block {
+        let mut theta = [T::TailBits::default(); BLOCK];
+        let mut phi = [T::TurnBits::default(); BLOCK];
+        for (theta, phi) in theta.iter_mut().zip(&mut phi).take(len) {
+            *theta = T::draw_tail_bits(self.0);
+            *phi = T::draw_turn_bits(self.0);
+        }
+        (halves(&theta), phi)
+    }
+
+    #[inline(always)]
+    fn item((theta, phi): &Self::Block, i: usize) -> Self::Item {
+        (Words::item(theta, i), phi[i])
     }
 }

@@ -11,8 +11,8 @@ pub mod width;
 
 use crate::{Fast, Real};
 use core::fmt;
-pub(crate) use lanes::{Draws, Lanes};
 use lanes::BLOCK;
+pub(crate) use lanes::{Lanes, PlanarDraws, SpatialDraws, Words};
 
 /// The number types of batches: [`prim@f32`], [`prim@f64`] and [`Fast<f32>`](Fast).
 ///
@@ -36,7 +36,10 @@ pub struct LengthError {
 impl fmt::Display for LengthError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let LengthError { expected, found } = self;
-        write!(f, "a slice has {found} elements; expected {expected}, as the first has")
+        write!(
+            f,
+            "a slice has {found} elements; expected {expected}, as the first has"
+        )
     }
 }
 
@@ -49,17 +52,26 @@ pub(crate) fn map<T: Batch, L: Lanes, const N: usize>(
     to: [&mut [T]; N],
     f: impl Fn(L::Item) -> [T; N],
 ) -> Result<(), LengthError> {
-    let mut lengths = from.len().into_iter().chain(to.iter().map(|slice| slice.len()));
-    let expected = lengths.next().unwrap_or_default();
-    if let Some(found) = lengths.find(|&n| n != expected) {
-        return Err(LengthError { expected, found });
-    }
-    let blocks = Blocks { len: expected, from, to, f };
+    let expected = equal_lengths(from.len().into_iter().chain(to.iter().map(|to| to.len())))?;
+    let blocks = Blocks {
+        len: expected,
+        from,
+        to,
+        f,
+    };
     #[cfg(feature = "simd")]
     width::dispatch(blocks);
     #[cfg(not(feature = "simd"))]
     blocks.run();
     Ok(())
+}
+
+fn equal_lengths(mut lengths: impl Iterator<Item = usize>) -> Result<usize, LengthError> {
+    let expected = lengths.next().unwrap_or_default();
+    match lengths.find(|&n| n != expected) {
+        Some(found) => Err(LengthError { expected, found }),
+        None => Ok(expected),
+    }
 }
 
 /// A batch of known length, ready to run at some width.

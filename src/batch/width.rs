@@ -2,7 +2,7 @@
 
 use super::{Batch, Blocks, Lanes};
 use core::sync::atomic::{AtomicU8, Ordering};
-use pulp::{NullaryFnOnce, Simd};
+use pulp::NullaryFnOnce;
 
 /// The vectors that a batch is computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -78,6 +78,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         let [p] = T::rounded(
             Margin::Relative,
             || [self.quick().pdf(Holds::of(theta))],
+            #[inline(always)]
             || [self.work().pdf(Holds::of(theta))],
         );
         p
@@ -88,6 +89,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         let [p] = T::rounded(
             Margin::OfOne,
             || [self.quick().ln_pdf(Holds::of(theta))],
+            #[inline(always)]
             || [self.work().ln_pdf(Holds::of(theta))],
         );
         p
@@ -98,6 +100,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         Tails::of_array(T::rounded(
             Margin::Relative,
             || self.quick().tails(Holds::of(theta)).to_array(),
+            #[inline(always)]
             || self.work().tails(Holds::of(theta)).to_array(),
         ))
     }
@@ -107,6 +110,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         let [p] = T::rounded(
             Margin::Relative,
             || [self.quick().density(Holds::of_pair(at))],
+            #[inline(always)]
             || [self.work().density(Holds::of_pair(at))],
         );
         p
@@ -117,6 +121,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         CosSin::of_array(T::rounded(
             Margin::Relative,
             || self.quick().warp_tails(Holds::of_tails(p)).to_array(),
+            #[inline(always)]
             || self.work().warp_tails(Holds::of_tails(p)).to_array(),
         ))
     }
@@ -130,6 +135,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
                     .unwarp_tails(Holds::of_direction(at))
                     .to_array()
             },
+            #[inline(always)]
             || self.work().unwarp_tails(Holds::of_direction(at)).to_array(),
         ))
     }
@@ -139,6 +145,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         let [theta] = T::rounded(
             Margin::Relative,
             || [self.quick().quantile_tails(Holds::of_tails(p))],
+            #[inline(always)]
             || [self.work().quantile_tails(Holds::of_tails(p))],
         );
         into_support(theta)
@@ -149,6 +156,7 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
         let [weight] = T::rounded(
             Margin::Relative,
             || [self.quick().lambert_weight(Holds::of_pair(at))],
+            #[inline(always)]
             || [self.work().lambert_weight(Holds::of_pair(at))],
         );
         weight
@@ -170,6 +178,7 @@ where
         let [p] = T::rounded(
             Margin::Relative,
             || [self.quick().pdf_solid_angle(Holds::of(theta))],
+            #[inline(always)]
             || [self.work().pdf_solid_angle(Holds::of(theta))],
         );
         p

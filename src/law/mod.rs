@@ -20,8 +20,10 @@ pub use sphere_shell::SphereShell;
 
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::tier::{Holds, Margin};
+use crate::batch::{self, Batch, LengthError};
 use crate::law::select::into_support;
 use crate::number::Real;
+use crate::uniform::{TailBits, TurnBits};
 use crate::{CosSin, Frame, Moments, Sample, Tails, uniform};
 use rand_core::Rng;
 
@@ -128,6 +130,138 @@ pub trait Law<T: Real> {
     fn unwarp_sf(&self, at: CosSin<T>) -> T {
         self.unwarp_tails(at).upper()
     }
+
+    /// [`pdf`](Law::pdf) of each θ.
+    ///
+    /// This and the other `…_slice` give the bits of as many scalar calls, for every input and at
+    /// every width of vectors: see [`batch`].
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written. So with every `…_slice`.
+    fn pdf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.pdf(x)],
+        )
+    }
+
+    /// [`ln_pdf`](Law::ln_pdf) of each θ.
+    fn ln_pdf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.ln_pdf(x)],
+        )
+    }
+
+    /// [`cdf`](Law::cdf) of each θ.
+    fn cdf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.tails(x).lower()],
+        )
+    }
+
+    /// [`sf`](Law::sf) of each θ.
+    fn sf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.tails(x).upper()],
+        )
+    }
+
+    /// [`quantile`](Law::quantile) of each probability.
+    fn quantile_slice(&self, p: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            p,
+            [out],
+            #[inline(always)]
+            |x| [self.quantile_tails(Tails::from_lower(x))],
+        )
+    }
+
+    /// [`isf`](Law::isf) of each probability.
+    fn isf_slice(&self, p: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            p,
+            [out],
+            #[inline(always)]
+            |x| [self.quantile_tails(Tails::from_upper(x))],
+        )
+    }
+
+    /// [`warp`](Law::warp) of each probability.
+    ///
+    /// ```
+    /// use coslobe::{CosSin, Lambert, Law};
+    /// let u = [0.0, 0.25, 1.0f32];
+    /// let (mut cos, mut sin) = ([0.0; 3], [0.0; 3]);
+    /// Lambert.warp_slice(&u, CosSin { cos: &mut cos, sin: &mut sin })?;
+    /// assert_eq!(sin, [0.0, 0.5, 1.0]);
+    /// # Ok::<(), coslobe::LengthError>(())
+    /// ```
+    fn warp_slice(&self, u: &[T], out: CosSin<&mut [T]>) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            u,
+            [out.cos, out.sin],
+            #[inline(always)]
+            |u| self.warp_tails(Tails::from_lower(u)).to_array(),
+        )
+    }
+
+    /// [`density`](Law::density) of each direction.
+    fn density_slice(&self, at: CosSin<&[T]>, out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (at.cos, at.sin),
+            [out],
+            #[inline(always)]
+            |(cos, sin)| [self.density(CosSin { cos, sin })],
+        )
+    }
+
+    /// [`unwarp`](Law::unwarp) of each direction.
+    fn unwarp_slice(&self, at: CosSin<&[T]>, out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (at.cos, at.sin),
+            [out],
+            #[inline(always)]
+            |(cos, sin)| [self.unwarp_tails(CosSin { cos, sin }).lower()],
+        )
+    }
 }
 
 /// Laws of a direction in the plane.
@@ -137,17 +271,65 @@ pub trait Planar<T: Real>: Law<T> {
     /// Randomness: one `next_u64` for `f32`, two for `f64`; no rejection.
     #[inline]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
-        let CosSin { cos, sin } = self.warp_tails(uniform::tails(rng));
+        self.sample_from_bits(T::draw_tail_bits(rng))
+    }
+
+    /// The direction that [`sample`](Planar::sample) makes of the words it draws.
+    #[inline(always)]
+    fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
+        let CosSin { cos, sin } = self.warp_tails(uniform::tails_from_bits(bits));
         [sin, cos]
+    }
+
+    /// What as many calls of [`sample`](Planar::sample) draw, in that order: sines, then cosines.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is drawn or written.
+    fn sample_slice<R: Rng + ?Sized>(
+        &self,
+        rng: &mut R,
+        out: [&mut [T]; 2],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        let words = batch::PlanarDraws::<T, R>::new(rng);
+        batch::map(
+            words,
+            out,
+            #[inline(always)]
+            |bits| self.sample_from_bits(bits),
+        )
+    }
+
+    /// [`sample_from_bits`](Planar::sample_from_bits) of each word.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written.
+    fn sample_from_bits_slice(
+        &self,
+        bits: &[TailBits<T>],
+        out: [&mut [T]; 2],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            batch::Words(bits),
+            out,
+            #[inline(always)]
+            |bits| self.sample_from_bits(bits),
+        )
     }
 
     /// Draws the direction of [`sample`](Planar::sample) with its cosine, sine and density: the
     /// same words, the same bits.
     #[inline]
     fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 2> {
-        let at = self.warp_tails(uniform::tails(rng));
+        let [sin, cos] = self.sample(rng);
+        let at = CosSin { cos, sin };
         Sample {
-            direction: [at.sin, at.cos],
+            direction: [sin, cos],
             at,
             density: self.density(at),
         }
@@ -165,8 +347,68 @@ pub trait Spatial<T: Real>: Law<T> {
     /// rejection.
     #[inline]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
-        let at = self.warp_tails(uniform::tails(rng));
-        spherical(at, uniform::azimuth(rng))
+        let tail = T::draw_tail_bits(rng);
+        self.sample_from_bits(tail, T::draw_turn_bits(rng))
+    }
+
+    /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
+    #[inline(always)]
+    fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
+        let at = self.warp_tails(uniform::tails_from_bits(theta));
+        spherical(at, uniform::azimuth_from_bits(phi))
+    }
+
+    /// What as many calls of [`sample`](Spatial::sample) draw, in that order: a slice for each
+    /// component.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is drawn or written.
+    ///
+    /// ```
+    /// use coslobe::{Lambert, Spatial};
+    /// let mut rng = rand_pcg::Pcg32::new(1, 1);
+    /// let [mut x, mut y, mut z] = [[0.0f32; 100]; 3];
+    /// Spatial::sample_slice(&Lambert, &mut rng, [&mut x, &mut y, &mut z])?;
+    /// let mut again = rand_pcg::Pcg32::new(1, 1);
+    /// assert_eq!([x[0], y[0], z[0]], Lambert.sample(&mut again));
+    /// # Ok::<(), coslobe::LengthError>(())
+    /// ```
+    fn sample_slice<R: Rng + ?Sized>(
+        &self,
+        rng: &mut R,
+        out: [&mut [T]; 3],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        let words = batch::SpatialDraws::<T, R>::new(rng);
+        batch::map(
+            words,
+            out,
+            #[inline(always)]
+            |(theta, phi)| self.sample_from_bits(theta, phi),
+        )
+    }
+
+    /// [`sample_from_bits`](Spatial::sample_from_bits) of each pair of words.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written.
+    fn sample_from_bits_slice(
+        &self,
+        theta: &[TailBits<T>],
+        phi: &[TurnBits<T>],
+        out: [&mut [T]; 3],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (batch::Words(theta), phi),
+            out,
+            #[inline(always)]
+            |(theta, phi)| self.sample_from_bits(theta, phi),
+        )
     }
 
     /// Draws the direction of [`sample`](Spatial::sample) with its cosine, sine and density: the
@@ -215,7 +457,7 @@ pub trait Spatial<T: Real>: Law<T> {
 
     /// The direction at cdf of θ = `u[0]` and azimuth φ = `u[1]` turns: for stratified or
     /// low-discrepancy points. NaN outside \[0, 1\]².
-    #[inline]
+    #[inline(always)]
     fn warp_direction(&self, u: [T; 2]) -> [T; 3] {
         let turn = Tails::from_lower(u[1]).lower();
         let azimuth = if turn.is_nan() {
@@ -227,10 +469,27 @@ pub trait Spatial<T: Real>: Law<T> {
             CosSin::of_array(T::rounded(
                 Margin::Relative,
                 || T::Quick::at_turn(Holds::of(turn)).to_array(),
+                #[inline(always)]
                 || T::Work::at_turn(Holds::of(turn)).to_array(),
             ))
         };
-        spherical(self.warp(u[0]), azimuth)
+        spherical(self.warp_tails(Tails::from_lower(u[0])), azimuth)
+    }
+
+    /// [`warp_direction`](Spatial::warp_direction) of each pair of `u`: a slice for each component.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written.
+    fn warp_direction_slice(&self, u: [&[T]; 2], out: [&mut [T]; 3]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (u[0], u[1]),
+            out,
+            #[inline(always)]
+            |(u, v)| self.warp_direction([u, v]),
+        )
     }
 
     /// \[cdf of θ, azimuth in turns in \[0, 1)\] of a direction: the inverse of
