@@ -2,17 +2,13 @@
 //! `cargo test --release --features fixed --test fixed -- --ignored --nocapture --test-threads 1`.
 #![cfg(feature = "fixed")]
 
-#[path = "fixed/corners.rs"]
 mod corners;
-#[path = "fixed/cos_power.rs"]
 mod cos_power;
-#[path = "fixed/reference.rs"]
-mod reference;
 
 use coslobe::CosSin;
 use fixed::types::{I1F31, U0F32};
+use kit::integer::reference::{Q31, Q32, Subject, subjects};
 use rayon::prelude::*;
-use reference::{Q31, Q32, Subject, subjects};
 
 /// Largest error in units of the last place, and its input.
 #[derive(Clone, Copy)]

@@ -2,22 +2,12 @@
 //! `cargo test --features fixed --test fixed16 -- --nocapture`.
 #![cfg(feature = "fixed")]
 
-#[path = "fixed16/corners.rs"]
 mod corners;
-#[path = "fixed16/golden.rs"]
 mod golden;
-#[path = "fixed16/maps.rs"]
 mod maps;
-#[path = "fixed16/pairs.rs"]
 mod pairs;
-#[path = "fixed16/samples.rs"]
 mod samples;
-mod stats;
-#[path = "fixed16/subject.rs"]
 mod subject;
-#[path = "fixed/truth.rs"]
-mod truth;
-#[path = "fixed16/wrong.rs"]
 mod wrong;
 
 use fixed::types::I1F15;

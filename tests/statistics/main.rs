@@ -2,15 +2,13 @@
 //!
 //! The thorough run: `cargo test --release --test statistics -- --ignored --nocapture`.
 
-#[path = "stats/mutants.rs"]
 mod mutants;
-mod stats;
 
 use coslobe::rand_core::Rng;
 use coslobe::{Fast, PlanarPoint, Precise, Spatial};
-use stats::harness::{examine, examine_tail};
-use stats::laws::{Claim, Direction, Float, Visitor, each};
-use stats::words;
+use kit::stats::harness::{examine, examine_tail};
+use kit::stats::laws::{Claim, Direction, Float, Visitor, each};
+use kit::stats::words;
 
 /// The random bits reach down to 2⁻⁶⁵ in `f32` and 2⁻¹²⁹ in `f64`.
 const DEPTHS_F32: &[u32] = &[24, 40, 60];

@@ -1,14 +1,14 @@
 //! Wrong samplers that the harness has to reject, each by the test that is there for it.
 
-use crate::stats::harness::{examine, examine_tail};
-use crate::stats::laws::{Claim, Direction, Float};
-use crate::stats::words;
 use crate::{in_plane, in_space};
 use coslobe::rand_core::Rng;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Spatial,
     SphereShell, uniform,
 };
+use kit::stats::harness::{examine, examine_tail};
+use kit::stats::laws::{Claim, Direction, Float};
+use kit::stats::words;
 use std::f64::consts::TAU;
 
 const MILLION: usize = 1_000_000;

@@ -1,12 +1,12 @@
 //! The plot of the tail: the crate's errors beside the hand-rolled ones.
 
-use crate::axis::{Axis, power_of_ten};
-use crate::canvas::{
-    AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, RED, TEAL, centred, heading, key, line, px, text,
-};
 use crate::catalog::Entry;
 use crate::measure::Report;
 use crate::sweep::stretch;
+use plot::axis::{Axis, power_of_ten};
+use plot::canvas::{
+    AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, RED, TEAL, centred, heading, key, line, px, text,
+};
 use plotters::prelude::*;
 
 /// Errors below and above are drawn at the edge.

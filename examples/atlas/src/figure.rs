@@ -1,14 +1,14 @@
 //! The figure of one law: lobe, histogram, errors.
 
 use crate::args::LawName;
-use crate::axis::{Axis, round_down};
-use crate::canvas::{
-    AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, TEAL, heading, key, line, px, svg, text,
-};
 use crate::catalog::Entry;
 use crate::errors;
 use crate::lobe;
 use crate::measure::{CELLS, Report};
+use plot::axis::{Axis, round_down};
+use plot::canvas::{
+    AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, TEAL, heading, key, line, px, svg, text,
+};
 use plotters::prelude::*;
 use std::error::Error;
 

@@ -1,10 +1,10 @@
 //! The density in polar form beside the tangent disk or ball it comes from.
 
 use crate::args::LawName;
-use crate::canvas::{AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, centred, line, px, text};
 use crate::catalog::Entry;
 use crate::random::stream;
 use coslobe::rand_core::Rng;
+use plot::canvas::{AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, centred, line, px, text};
 use plotters::prelude::*;
 use rand_pcg::Pcg64;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};

@@ -2,11 +2,7 @@
 //!
 //! `cargo run --release --example atlas` prints a table and writes `atlas/index.html`.
 
-#[path = "../../tests/accuracy/mod.rs"]
-mod accuracy;
 mod args;
-mod axis;
-mod canvas;
 mod catalog;
 mod errors;
 mod figure;
@@ -14,7 +10,6 @@ mod lobe;
 mod measure;
 mod naive;
 mod number;
-mod output;
 mod overview;
 mod page;
 mod random;
@@ -27,6 +22,7 @@ use catalog::Entry;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use page::Plate;
+use plot::output;
 use std::error::Error;
 use std::process::ExitCode;
 

@@ -1,8 +1,8 @@
 //! All lobes in one picture, for the README.
 
-use crate::canvas::{AMBER, Area, BLUE, Drawn, INK, MUTED, bold, centred, px, svg, text};
 use crate::catalog::Entry;
 use crate::lobe;
+use plot::canvas::{AMBER, Area, BLUE, Drawn, INK, MUTED, bold, centred, px, svg, text};
 use plotters::prelude::*;
 use std::error::Error;
 

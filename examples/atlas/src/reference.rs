@@ -2,9 +2,9 @@
 //!
 //! p is the tail of the horizon: in the plane that of the nearer end, P(Θ ≤ −|θ|); in space P(Θ > θ).
 
-use crate::accuracy::double::Double;
-use crate::accuracy::inverse::warp;
-use crate::accuracy::reference::{Direction, Id, tails};
+use kit::accuracy::double::Double;
+use kit::accuracy::inverse::warp;
+use kit::accuracy::reference::{Direction, Id, tails};
 use std::f64::consts::FRAC_PI_2;
 
 /// A law's mathematics, with no number type.

@@ -1,10 +1,10 @@
 //! The sweep of the tail: how far cos θ is from the truth, the crate's and the hand-rolled one's.
 
-use crate::accuracy::double::Double;
 use crate::catalog::Side;
 use crate::number::Number;
 use crate::random::stream;
 use coslobe::rand_core::Rng;
+use kit::accuracy::double::Double;
 use rayon::prelude::*;
 
 /// Points of each curve.

@@ -1,7 +1,7 @@
 //! The sentences about each law.
 
 use crate::args::LawName;
-use crate::axis::superscript;
+use plot::axis::superscript;
 
 /// Title, density, what the point is uniform by, and caption.
 pub(crate) fn of(name: LawName, k: f64) -> (&'static str, String, &'static str, String) {

@@ -1,14 +1,12 @@
 //! The atlas example: what it writes, that it repeats itself, and how it fails.
 
-mod command;
-
-use command::{Scratch, binary, names};
+use kit::scratch::{Scratch, names};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
 fn command(folder: &Path) -> Command {
-    let mut command = Command::new(binary("atlas"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_atlas"));
     command.current_dir(folder);
     command
 }

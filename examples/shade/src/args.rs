@@ -1,7 +1,7 @@
 //! What the command line may say.
 
-use crate::file::LawName;
 use clap::{Parser, Subcommand, ValueEnum};
+use shade::file::LawName;
 use std::path::PathBuf;
 
 /// Renders a scene, simulating only the effects that it calls for.
@@ -17,7 +17,7 @@ pub(crate) struct Args {
     pub(crate) out: Option<PathBuf>,
 
     /// Samples of each pixel, in place of the scene's.
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=crate::file::SAMPLES))]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=shade::file::SAMPLES))]
     pub(crate) samples: Option<u32>,
 
     /// Threads; all cores if not given. The image does not depend on them.
@@ -47,7 +47,7 @@ pub(crate) struct Args {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Task {
     /// What valgrind runs.
-    #[command(name = crate::count::SUBCOMMAND, hide = true)]
+    #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
     /// Measures what each shipped scene costs with the effects that it needs, with all of them, and as
     /// written by hand; writes shade.md and shade.csv.

@@ -12,60 +12,60 @@ use std::hint::black_box;
 use std::rc::Rc;
 
 /// A shipped scene.
-pub(crate) struct Shipped {
-    pub(crate) name: &'static str,
-    pub(crate) text: &'static str,
+pub struct Shipped {
+    pub name: &'static str,
+    pub text: &'static str,
 }
 
 /// The shipped scenes.
-pub(crate) const SHIPPED: [Shipped; 12] = [
+pub const SHIPPED: [Shipped; 12] = [
     Shipped {
         name: "emitter",
-        text: include_str!("scenes/emitter.toml"),
+        text: include_str!("../scenes/emitter.toml"),
     },
     Shipped {
         name: "furnace",
-        text: include_str!("scenes/furnace.toml"),
+        text: include_str!("../scenes/furnace.toml"),
     },
     Shipped {
         name: "gradient",
-        text: include_str!("scenes/gradient.toml"),
+        text: include_str!("../scenes/gradient.toml"),
     },
     Shipped {
         name: "hard_shadow",
-        text: include_str!("scenes/hard_shadow.toml"),
+        text: include_str!("../scenes/hard_shadow.toml"),
     },
     Shipped {
         name: "soft_shadow",
-        text: include_str!("scenes/soft_shadow.toml"),
+        text: include_str!("../scenes/soft_shadow.toml"),
     },
     Shipped {
         name: "box",
-        text: include_str!("scenes/box.toml"),
+        text: include_str!("../scenes/box.toml"),
     },
     Shipped {
         name: "gloss",
-        text: include_str!("scenes/gloss.toml"),
+        text: include_str!("../scenes/gloss.toml"),
     },
     Shipped {
         name: "depth_of_field",
-        text: include_str!("scenes/depth_of_field.toml"),
+        text: include_str!("../scenes/depth_of_field.toml"),
     },
     Shipped {
         name: "fog",
-        text: include_str!("scenes/fog.toml"),
+        text: include_str!("../scenes/fog.toml"),
     },
     Shipped {
         name: "all",
-        text: include_str!("scenes/all.toml"),
+        text: include_str!("../scenes/all.toml"),
     },
     Shipped {
         name: "flat_lamp",
-        text: include_str!("scenes/flat_lamp.toml"),
+        text: include_str!("../scenes/flat_lamp.toml"),
     },
     Shipped {
         name: "flat_bounces",
-        text: include_str!("scenes/flat_bounces.toml"),
+        text: include_str!("../scenes/flat_bounces.toml"),
     },
 ];
 
@@ -74,18 +74,18 @@ const GRID: (u16, u16) = (16, 12);
 const SAMPLES: u32 = 4;
 
 /// The same pixels by one of the ways.
-pub(crate) struct Cell {
-    pub(crate) scene: &'static str,
-    pub(crate) way: &'static str,
-    pub(crate) run: Box<dyn FnMut()>,
-    pub(crate) empty: Box<dyn FnMut()>,
+pub struct Cell {
+    pub scene: &'static str,
+    pub way: &'static str,
+    pub run: Box<dyn FnMut()>,
+    pub empty: Box<dyn FnMut()>,
     /// What it computes.
-    pub(crate) pixels: Box<dyn Fn() -> Vec<Pixel<f32>>>,
-    pub(crate) samples: u64,
+    pub pixels: Box<dyn Fn() -> Vec<Pixel<f32>>>,
+    pub samples: u64,
     /// How many effects are on; rays and words a sample. Shaders written by hand do not say.
-    pub(crate) effects: Option<u32>,
-    pub(crate) rays: Option<f64>,
-    pub(crate) words: Option<f64>,
+    pub effects: Option<u32>,
+    pub rays: Option<f64>,
+    pub words: Option<f64>,
 }
 
 fn grid<V: Vector>(scene: &Scene<V>) -> Vec<(u16, u16)> {
@@ -209,7 +209,7 @@ fn ways<V: World<T = f32> + Compiled, L: Sampling<V> + 'static>(
 }
 
 /// All ways of all shipped scenes, in `f32`.
-pub(crate) fn cells() -> Vec<Cell> {
+pub fn cells() -> Vec<Cell> {
     let mut cells = Vec::new();
     for shipped in &SHIPPED {
         if shipped.name.starts_with("flat") {

@@ -1,14 +1,15 @@
 //! From the command line to the image.
 
 use crate::args::{Args, NumberName, Share, Task};
-use crate::cells::cells;
-use crate::file::{Raw, World, parse, scene};
 use crate::image::Frame;
-use crate::sets::{Compiled, Job};
 use crate::tiles::{self, Frames, digest};
-use crate::{count, plan, render, table, types};
+use crate::{plan, render, table, types};
 use coslobe::{CircleShell, Fast, Lambert, Precise};
 use indicatif::{ProgressBar, ProgressStyle};
+use kit::study::count;
+use shade::cells::cells;
+use shade::file::{Raw, World, parse, scene};
+use shade::sets::{Compiled, Job};
 use shade_core::effect::Lamp;
 use shade_core::{Asked, Effects, Sampling, Scene, Set, Vector};
 use std::error::Error;

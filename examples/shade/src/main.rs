@@ -5,16 +5,10 @@
 //! ```
 
 mod args;
-mod cells;
-#[path = "../accuracy_cost/count.rs"]
-mod count;
-mod file;
-mod hand;
 mod image;
 mod job;
 mod plan;
 mod render;
-mod sets;
 mod table;
 mod tiles;
 mod types;

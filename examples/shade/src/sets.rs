@@ -19,13 +19,13 @@ const FLAT_BOUNCES: u32 = Set::of(&[Filter, Sky, Sun, Diffuse, Gloss, Bounces]);
 const ALL: u32 = Set::ALL.0;
 
 /// Something that is done with a set of effects.
-pub(crate) trait Job {
+pub trait Job {
     type Out;
     fn run<E: Effects>(self, e: E) -> Self::Out;
 }
 
 /// A world whose scenes' sets are compiled apart.
-pub(crate) trait Compiled: Vector {
+pub trait Compiled: Vector {
     /// Does the job with exactly `set`.
     fn exactly<J: Job>(set: Set, job: J) -> J::Out;
     /// Whether that is compiled apart.

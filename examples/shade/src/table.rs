@@ -1,10 +1,10 @@
 //! What each scene costs with the effects that it needs, with all of them, and as written by hand:
 //! `shade.csv` and `shade.md`.
 
-use crate::cells::{Cell, SHIPPED, cells};
-use crate::count::{Missing, counts};
 use crate::image::write_whole;
 use indicatif::ProgressBar;
+use kit::study::count::{Missing, counts};
+use shade::cells::{Cell, SHIPPED, cells};
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;

@@ -103,7 +103,7 @@ fn header(data: &[u8]) -> Result<(Frames, Share, &[u8]), String> {
     let side = |n: u64| {
         u16::try_from(n)
             .ok()
-            .filter(|&n| (1..=crate::file::SIDE).contains(&i64::from(n)))
+            .filter(|&n| (1..=shade::file::SIDE).contains(&i64::from(n)))
     };
     let shares = number(4)?;
     let share = Share {

@@ -1,16 +1,14 @@
 //! The shader as a command: images that depend on nothing but the scene, and how it fails.
 
-mod command;
-
-use command::{Scratch, binary};
+use kit::scratch::Scratch;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shade/scenes");
+const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
 
 fn shade(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(binary("shade"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shade"));
     command.current_dir(folder).args(args).output().unwrap()
 }
 

@@ -167,7 +167,7 @@ impl Float for Fast<f32> {
 }
 
 /// The pair at θ to about an ulp, from the standard library.
-pub fn pair_at<T: Float>(theta: f64) -> CosSin<T> {
+pub(super) fn pair_at<T: Float>(theta: f64) -> CosSin<T> {
     CosSin {
         cos: T::narrow(theta.cos()),
         sin: T::narrow(theta.sin()),

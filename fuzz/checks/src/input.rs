@@ -7,7 +7,7 @@ use std::convert::Infallible;
 ///
 /// As a generator it is as bad as the fuzzer likes: stuck, periodic, or chosen word by word.
 #[derive(Clone)]
-pub struct Words<'a> {
+pub(super) struct Words<'a> {
     data: &'a [u8],
     at: usize,
     /// Calls of `next_u32` and of `next_u64`.
@@ -15,7 +15,7 @@ pub struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    pub fn new(data: &'a [u8]) -> Self {
+    pub(super) fn new(data: &'a [u8]) -> Self {
         Words {
             data,
             at: 0,
@@ -32,7 +32,7 @@ impl<'a> Words<'a> {
     }
 
     /// The next word, not counted as drawn.
-    pub fn word(&mut self) -> u64 {
+    pub(super) fn word(&mut self) -> u64 {
         u64::from_le_bytes(self.bytes())
     }
 }

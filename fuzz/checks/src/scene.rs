@@ -1,10 +1,6 @@
 //! Scene files: whatever the bytes, an answer with a place or a scene that renders.
 
-#[allow(dead_code, unused_imports)]
-#[path = "../../examples/shade/file/mod.rs"]
-mod file;
-
-use file::{Raw, World};
+use shade::file::{self, Raw, World};
 use shade_core::{Asked, pixel};
 
 pub fn check(data: &[u8]) {

@@ -1,11 +1,5 @@
 //! Replays every committed fuzz seed on stable, and a few thousand inputs of a fixed generator.
 
-// The fuzz crate has the same files as its library, where their items are public. The oldest
-// supported compiler is a promise of the library, not of its tests.
-#[allow(unreachable_pub, clippy::incompatible_msrv)]
-#[path = "../fuzz/checks/mod.rs"]
-mod checks;
-
 use coslobe::rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::fs;
@@ -28,7 +22,7 @@ fn run(check: fn(&[u8]), data: &[u8], origin: &str) {
 
 fn replay(target: &str, check: fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("fuzz/seeds")
+        .join("../seeds")
         .join(target);
     let mut seeds: Vec<_> = fs::read_dir(&folder)
         .unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
@@ -69,7 +63,6 @@ fn densities() {
     replay("densities", checks::densities::check);
 }
 
-#[cfg(feature = "fixed")]
 #[test]
 fn fixed() {
     replay("fixed", checks::fixed::check);

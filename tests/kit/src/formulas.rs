@@ -1,6 +1,6 @@
 //! The same operations in the obvious way: the textbook's formulas in a library's functions.
 //!
-//! The host includes this file too, and measures the errors of what the boards count.
+//! Boards count what they cost, the host measures their errors.
 
 use core::f32::consts::{FRAC_1_PI, FRAC_2_PI, PI, TAU};
 

@@ -1,14 +1,23 @@
-//! The same work on every target: samples and evaluations of each law in each number type, as text.
+//! What tests, fuzzing, studies, firmware and applications share.
 //!
+//! Without `std`, what firmware computes: samples and evaluations of each law in each number type, as text.
 //! Firmware passes its command line to [`answer`] and prints what that writes; the host calls the same
 //! function and compares the lines. One that differs names law, type, stream and input.
-#![no_std]
+//!
+//! With `std`, what judges results: references, wide arithmetic, measuring and statistics.
+#![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "std")]
+pub mod accuracy;
 mod answer;
 mod directions;
+#[cfg(feature = "peers")]
+pub mod formulas;
 mod hash;
 mod input;
+#[cfg(feature = "std")]
+pub mod integer;
 mod integers;
 mod integers16;
 mod laws;
@@ -16,8 +25,15 @@ mod number;
 mod planar;
 #[cfg(feature = "planted")]
 mod planted;
+#[cfg(feature = "std")]
+pub mod scratch;
+pub mod self_test;
 mod spatial;
+#[cfg(feature = "std")]
+pub mod stats;
 mod stream;
+#[cfg(feature = "std")]
+pub mod study;
 mod subject;
 
 pub use answer::{Answer, answer};

@@ -1,5 +1,5 @@
-//! Generators and samplers, good and faulty, and the verdict on each; the host compiles this file too, to
-//! compare verdicts.
+//! Cases of the power-on self-test: generators and samplers, good and faulty, and the verdict on each, which
+//! boards and host compare.
 
 use core::convert::Infallible;
 use coslobe::check::{
@@ -12,7 +12,7 @@ use fixed::types::U16F16;
 use rand_pcg::Pcg32;
 
 /// What can be asked for; `fixed` in integers. The last word is the fault.
-pub(crate) const NAMES: [&str; 20] = [
+pub const NAMES: [&str; 20] = [
     "good",
     "fast",
     "plane",
@@ -39,7 +39,7 @@ pub(crate) const NAMES: [&str; 20] = [
 const EXPONENT: U16F16 = U16F16::lit("7.3");
 
 /// The verdict on a case; none for a name that is not in [`NAMES`].
-pub(crate) fn verdict(name: &str) -> Option<Result<Report, Fault>> {
+pub fn verdict(name: &str) -> Option<Result<Report, Fault>> {
     let mut rng = generator(name)?;
     let rng = &mut rng;
     Some(match name {
@@ -83,7 +83,7 @@ fn power() -> Check<InFixed<CosPower>> {
 }
 
 /// The generator of a case.
-pub(crate) fn generator(name: &str) -> Option<Generator> {
+pub fn generator(name: &str) -> Option<Generator> {
     if !NAMES.contains(&name) {
         return None;
     }
@@ -114,7 +114,7 @@ fn biased(word: u32) -> u32 {
 }
 
 /// PCG with a fault.
-pub(crate) struct Generator {
+pub struct Generator {
     rng: Pcg32,
     count: u32,
     fault: fn(u32, u32) -> u32,

@@ -5,9 +5,9 @@
 //! `COSLOBE_LAST` at compile time says up to which count; 1048576 takes all that there are.
 
 use coslobe::{Fast, Precise};
-use coslobe_common::{Answer, Integers, Integers16, Laws, Stream, answer};
+use kit::{Answer, Integers, Integers16, Laws, Stream, answer};
 
-const EXPECTED: &str = include_str!("../../hashes.txt");
+const EXPECTED: &str = include_str!("../../../examples/firmware/hashes.txt");
 
 /// 64 where nothing is said: what Miri can run.
 fn last() -> u32 {
@@ -69,7 +69,7 @@ fn fixed16_hashes() {
 /// One changed result changes the hash, wherever it is; so do two changed signs.
 #[test]
 fn no_change_cancels() {
-    use coslobe_common::Hash;
+    use kit::Hash;
     // Miri takes a minute for 5000 pairs.
     const STEPS: usize = if cfg!(miri) { 10 } else { 100 };
     let of = |flips: &[usize]| {

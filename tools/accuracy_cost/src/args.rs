@@ -38,7 +38,7 @@ pub(crate) struct Args {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Task {
     /// What valgrind runs.
-    #[command(name = crate::count::SUBCOMMAND, hide = true)]
+    #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
     /// Prints the nanoseconds an element that Disk.quantile takes over a file of f64 (native bytes).
     DiskQuantile {

@@ -1,18 +1,18 @@
 //! Our own operations: number type × law × operation.
 
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
-use crate::accuracy::values::Tier;
-use crate::cell::{Cell, Draw, generator, generator_cells};
 use crate::contender::{Contender, Measure, PARTS, plain};
-use crate::errors;
-use crate::inputs::{Uniforms, angles, pairs, probabilities};
 use crate::peers;
 use coslobe::rand_core::Rng;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Precise,
     Spatial, SphereShell, uniform,
 };
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
+use kit::accuracy::values::Tier;
+use kit::study::cell::{Cell, Draw, generator, generator_cells};
+use kit::study::errors;
+use kit::study::inputs::{Uniforms, angles, pairs, probabilities};
 use std::hint::black_box;
 use std::marker::PhantomData;
 

@@ -3,8 +3,8 @@
 
 use crate::catalog::Counted;
 use crate::contender::law_name;
-use crate::count::{Missing, counts};
 use crate::study::bar;
+use kit::study::count::{Missing, counts};
 use std::error::Error;
 
 /// Standard errors that a mean may be off: among a hundred samplers, one in a million runs.

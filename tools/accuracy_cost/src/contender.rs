@@ -1,11 +1,11 @@
 //! Whatever is measured: an operation of a law, ours in a number type or a peer's.
 
-use crate::accuracy::reference::Id;
 use crate::catalog::EXPONENT;
-use crate::cell::Cell;
-use crate::errors::Errors;
-use crate::inputs::Uniforms;
 use coslobe::{Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, SphereShell};
+use kit::accuracy::reference::Id;
+use kit::study::cell::Cell;
+use kit::study::errors::Errors;
+use kit::study::inputs::Uniforms;
 
 /// What a `sample` in space cannot do without: its uniform and its azimuth, with no law between them.
 pub(crate) const PARTS: &str = "uniform and azimuth";

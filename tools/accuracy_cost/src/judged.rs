@@ -1,10 +1,10 @@
 //! The errors of our own operations: measured as the tests measure them, or read from a file.
 
-use crate::accuracy::format::Format;
-use crate::accuracy::monotone;
-use crate::accuracy::reference::Id;
-use crate::accuracy::rows::{Key, Row, keys, measure_all};
-use crate::accuracy::subject::{Subject, Tiers};
+use kit::accuracy::format::Format;
+use kit::accuracy::monotone;
+use kit::accuracy::reference::Id;
+use kit::accuracy::rows::{Key, Row, keys, measure_all};
+use kit::accuracy::subject::{Subject, Tiers};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;

@@ -11,30 +11,14 @@
 //! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
 //! instructions (`apt install valgrind`); `docs/scipy.csv` comes from `tools/scipy_peer.py`.
 
-#[path = "../../tests/accuracy/mod.rs"]
-mod accuracy;
 mod args;
-#[allow(dead_code)] // shared with the atlas
-#[path = "../atlas/axis.rs"]
-mod axis;
-#[allow(dead_code)] // shared with the atlas
-#[path = "../atlas/canvas.rs"]
-mod canvas;
 mod catalog;
-mod cell;
 mod check;
 mod contender;
-mod count;
 mod disk_quantile;
-mod errors;
-mod inputs;
 mod judged;
-mod label;
 mod machine;
-#[path = "../atlas/output.rs"]
-mod output;
 mod page;
-mod panel;
 mod pareto;
 mod peers;
 mod row;
@@ -47,6 +31,7 @@ mod time;
 
 use args::{Args, Task};
 use clap::Parser;
+use kit::study::count;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

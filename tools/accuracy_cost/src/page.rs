@@ -1,6 +1,5 @@
 //! The readable table.
 
-use crate::cell::DRAWS;
 use crate::contender::{PARTS, plain};
 use crate::judged::Judged;
 use crate::machine::Machine;
@@ -9,6 +8,7 @@ use crate::scipy::Scipy;
 use crate::summary;
 use crate::tables::or_dash;
 use crate::time::ROUNDS;
+use kit::study::cell::DRAWS;
 use std::fmt::Write;
 
 /// Operations in the order of the tables.
@@ -175,7 +175,7 @@ fn against_scipy(out: &mut String, scipy: &Scipy) -> std::fmt::Result {
          | function | time, multiple of ours | θ | cos θ |\n|---|---|---|---|",
         scipy.version,
         scipy.elements,
-        crate::axis::power_of_ten(f64::from(least))
+        plot::axis::power_of_ten(f64::from(least))
     )?;
     let worst = |quantity: &str, function: &str| {
         let key = (quantity.to_owned(), function.to_owned());

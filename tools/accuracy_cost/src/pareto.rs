@@ -1,8 +1,8 @@
 //! The first plot: relative error against instructions, with the front that nothing beats.
 
-use crate::canvas::{INK, bold, heading, px, svg};
-use crate::panel::{self, PANEL, Point};
 use crate::row::Row;
+use plot::canvas::{INK, bold, heading, px, svg};
+use plot::panel::{self, PANEL, Point};
 use plotters::prelude::*;
 use std::error::Error;
 

@@ -1,8 +1,8 @@
 //! The rows of the table, and `accuracy_cost.csv` that holds them.
 
-use crate::accuracy::rows;
 use crate::contender::{Contender, law_name};
-use crate::errors::Errors;
+use kit::accuracy::rows;
+use kit::study::errors::Errors;
 use serde::Serialize;
 
 /// A line of the CSV; its columns are these fields. Relative errors are `inf` where nothing of the

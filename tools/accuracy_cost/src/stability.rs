@@ -1,13 +1,13 @@
 //! The second plot: relative error against log₁₀ u.
 
-use crate::accuracy::rows::{self, Row};
-use crate::axis::{Axis, power_of_ten};
-use crate::canvas::{
+use crate::contender::{Contender, law_name};
+use crate::scipy::{OURS, Scipy};
+use kit::accuracy::rows::{self, Row};
+use kit::study::errors::Errors;
+use plot::axis::{Axis, power_of_ten};
+use plot::canvas::{
     AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, RED, TEAL, bold, heading, line, px, svg, text,
 };
-use crate::contender::{Contender, law_name};
-use crate::errors::Errors;
-use crate::scipy::{OURS, Scipy};
 use plotters::prelude::*;
 use std::collections::BTreeMap;
 use std::error::Error;

@@ -1,18 +1,19 @@
 //! The whole study: measures, then writes all files at once.
 
-use crate::accuracy::rows::{law_name, total_inputs};
 use crate::args::Args;
 use crate::catalog::Counted;
 use crate::contender::{Contender, whole};
-use crate::count::{Missing, counts};
-use crate::errors::Errors;
-use crate::inputs::Uniforms;
 use crate::judged::{self, Judged};
 use crate::machine::Machine;
 use crate::row::{Row, csv};
 use crate::time::times;
-use crate::{output, page, pareto, scipy, stability};
+use crate::{page, pareto, scipy, stability};
 use indicatif::{ProgressBar, ProgressStyle};
+use kit::accuracy::rows::{law_name, total_inputs};
+use kit::study::count::{Missing, counts};
+use kit::study::errors::Errors;
+use kit::study::inputs::Uniforms;
+use plot::output;
 use std::collections::HashMap;
 use std::error::Error;
 

@@ -1,9 +1,9 @@
 //! The tables at the head of the page: what to choose a type by.
 
-use crate::accuracy::rows;
 use crate::judged::{Judged, Quantiles};
 use crate::row::Row;
 use crate::tables::{find, instructions, or_dash, words};
+use kit::accuracy::rows;
 use std::fmt::{Result, Write};
 
 /// A law with a density per steradian stands for all whose sample needs an azimuth.

@@ -16,9 +16,17 @@ pub(crate) struct Build<'a> {
     pub(crate) debug: bool,
 }
 
+/// This repository.
+pub(crate) fn root() -> &'static Path {
+    let tools = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
+    tools
+        .and_then(Path::parent)
+        .expect("tools/on_target is below the root")
+}
+
 /// The firmware workspace.
 pub(crate) fn workspace() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/firmware")
+    root().join("examples/firmware")
 }
 
 impl Build<'_> {
@@ -26,9 +34,7 @@ impl Build<'_> {
     pub(crate) fn image(&self) -> Result<PathBuf> {
         let profile = if self.debug { "dev" } else { "release" };
         // One a board, so that boards can be built side by side.
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("target/on_target")
-            .join(self.board.name);
+        let folder = root().join("target/on_target").join(self.board.name);
         let mut command = Command::new("cargo");
         command
             .current_dir(workspace())

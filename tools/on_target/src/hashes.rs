@@ -12,9 +12,9 @@ use crate::report::Report;
 use crate::run::bar;
 use crate::types::{TYPES, laws};
 use ask::{Asked, Device, Host};
-use coslobe_common::Stream;
 use expected::Expected;
 use indicatif::ProgressBar;
+use kit::Stream;
 use rayon::prelude::*;
 use std::time::Instant;
 

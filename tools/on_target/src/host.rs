@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Result, While};
 use crate::types::{FIXED, FIXED16};
 use coslobe::{Fast, Precise};
-use coslobe_common::{Answer, Integers, Integers16, Laws, Subject, Visitor, answer, directions};
+use kit::{Answer, Integers, Integers16, Laws, Subject, Visitor, answer, directions};
 
 /// Something that can be done in a number type.
 pub(crate) trait InType {

@@ -17,45 +17,18 @@
 //! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is
 //! printed as `SKIPPED: reason`, with the number of such lines at the end.
 
-#[path = "../../tests/accuracy/mod.rs"]
-mod accuracy;
 mod args;
-#[allow(dead_code)] // shared with the atlas
-#[path = "../atlas/axis.rs"]
-mod axis;
 mod boards;
 mod build;
 mod c;
-#[cfg(feature = "fixed")]
 mod c_integers;
 mod c_values;
-#[allow(dead_code)] // shared with the atlas
-#[path = "../atlas/canvas.rs"]
-mod canvas;
-#[allow(dead_code)] // shared with the accuracy study, as the next four
-#[path = "../accuracy_cost/cell.rs"]
-mod cell;
 mod cost;
 mod difference;
-#[allow(dead_code)]
-#[path = "../accuracy_cost/errors.rs"]
-mod errors;
 mod failure;
-#[allow(dead_code)] // shared with the tests of fixed point
-#[path = "../../tests/fixed/reference.rs"]
-mod fixed_reference;
 mod hashes;
 mod host;
-#[allow(dead_code)]
-#[path = "../accuracy_cost/inputs.rs"]
-mod inputs;
-#[path = "../accuracy_cost/label.rs"]
-mod label;
 mod links;
-#[path = "../atlas/output.rs"]
-mod output;
-#[path = "../accuracy_cost/panel.rs"]
-mod panel;
 mod qemu;
 mod report;
 mod run;

@@ -1,12 +1,10 @@
 //! The power-on check on every board: passes with a good generator, and names every planted fault.
 
-#[path = "../firmware/self_test/src/cases.rs"]
-mod cases;
-
 use crate::boards::{BOARDS, Board, succeeds};
 use crate::build::{Build, workspace};
 use crate::failure::{Failure, Result, While};
 use crate::report::Report;
+use kit::self_test as cases;
 use rayon::prelude::*;
 use std::path::Path;
 use std::process::Command;
@@ -84,7 +82,7 @@ const COST: &str = "instructions a sample: ";
 
 /// The cost, if the table in docs/self_test.md has it to a tenth: it moves with the compiler.
 fn documented(board: &Board, cost: &str) -> Result<String> {
-    let page = include_str!("../../docs/self_test.md");
+    let page = include_str!("../../../docs/self_test.md");
     let row = format!("| {} | ", board.name);
     let cell = page.lines().find_map(|line| line.strip_prefix(&row));
     let cell = cell.map_or("", |cell| cell.trim_end_matches(" |"));

@@ -1,6 +1,6 @@
 //! The number types.
 
-use coslobe_common::LAWS;
+use kit::LAWS;
 
 /// As the firmware's build scripts and the documentation name them.
 pub(crate) const TYPES: [&str; 7] = [

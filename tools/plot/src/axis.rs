@@ -5,14 +5,14 @@ use plotters::prelude::Ranged;
 use std::ops::Range;
 
 /// plotters' own axes choose their ticks by a rule that knows neither degrees nor tails.
-pub(crate) struct Axis {
+pub struct Axis {
     range: Range<f64>,
     ticks: Vec<f64>,
     label: fn(f64) -> String,
 }
 
 impl Axis {
-    pub(crate) fn new(range: Range<f64>, ticks: Vec<f64>, label: fn(f64) -> String) -> Axis {
+    pub fn new(range: Range<f64>, ticks: Vec<f64>, label: fn(f64) -> String) -> Axis {
         Axis {
             range,
             ticks,
@@ -21,7 +21,7 @@ impl Axis {
     }
 
     /// Ticks at the multiples of `step`.
-    pub(crate) fn stepped(range: Range<f64>, step: f64) -> Axis {
+    pub fn stepped(range: Range<f64>, step: f64) -> Axis {
         let first = (range.start / step - 1e-9).ceil() as i32;
         let last = (range.end / step + 1e-9).floor() as i32;
         let ticks = (first..=last).map(|i| f64::from(i) * step).collect();
@@ -54,14 +54,14 @@ impl ValueFormatter<f64> for Axis {
 }
 
 /// The largest of 1, 2, 5 times a power of ten that is not above x > 0.
-pub(crate) fn round_down(x: f64) -> f64 {
+pub fn round_down(x: f64) -> f64 {
     let unit = 10f64.powf(x.log10().floor());
     let step = [5.0, 2.0].into_iter().find(|m| m * unit <= x);
     step.unwrap_or(1.0) * unit
 }
 
 /// A number in a few characters.
-pub(crate) fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     let shown = if x != 0.0 && !(1e-3..1e4).contains(&x.abs()) {
         format!("{x:.1e}")
     } else {
@@ -72,7 +72,7 @@ pub(crate) fn short(x: f64) -> String {
 }
 
 /// 10ᵉ in superscripts.
-pub(crate) fn power_of_ten(exponent: f64) -> String {
+pub fn power_of_ten(exponent: f64) -> String {
     if exponent == 0.0 {
         return "1".to_owned();
     }
@@ -80,7 +80,7 @@ pub(crate) fn power_of_ten(exponent: f64) -> String {
 }
 
 /// A whole number in superscripts.
-pub(crate) fn superscript(n: f64) -> String {
+pub fn superscript(n: f64) -> String {
     let raised = |c| match c {
         '-' => '⁻',
         '1' => '¹',

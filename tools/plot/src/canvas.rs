@@ -6,54 +6,54 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 
 /// plotters rounds to whole units; with eight a pixel its curves are smooth.
-pub(crate) const FINE: u32 = 8;
+pub const FINE: u32 = 8;
 
-pub(crate) const PAPER: RGBColor = RGBColor(252, 252, 250);
-pub(crate) const INK: RGBColor = RGBColor(38, 43, 56);
-pub(crate) const MUTED: RGBColor = RGBColor(104, 111, 128);
-pub(crate) const FAINT: RGBColor = RGBColor(214, 218, 226);
+pub const PAPER: RGBColor = RGBColor(252, 252, 250);
+pub const INK: RGBColor = RGBColor(38, 43, 56);
+pub const MUTED: RGBColor = RGBColor(104, 111, 128);
+pub const FAINT: RGBColor = RGBColor(214, 218, 226);
 /// The density, and f64.
-pub(crate) const BLUE: RGBColor = RGBColor(37, 99, 175);
+pub const BLUE: RGBColor = RGBColor(37, 99, 175);
 /// f32.
-pub(crate) const TEAL: RGBColor = RGBColor(15, 140, 121);
+pub const TEAL: RGBColor = RGBColor(15, 140, 121);
 /// Points and what is hand-rolled.
-pub(crate) const AMBER: RGBColor = RGBColor(217, 119, 6);
-pub(crate) const RED: RGBColor = RGBColor(190, 58, 72);
+pub const AMBER: RGBColor = RGBColor(217, 119, 6);
+pub const RED: RGBColor = RGBColor(190, 58, 72);
 
 const FONT: &str = "Inter, Segoe UI, Helvetica Neue, Arial, DejaVu Sans, sans-serif";
 
-pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-pub(crate) type Drawn = Result<(), Box<dyn Error>>;
+pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub type Drawn = Result<(), Box<dyn Error>>;
 
 /// Pixels in the canvas's units.
-pub(crate) fn px(pixels: f64) -> i32 {
+pub fn px(pixels: f64) -> i32 {
     (pixels * f64::from(FINE)).round() as i32
 }
 
 /// A line `pixels` wide.
-pub(crate) fn line(color: RGBColor, pixels: f64) -> ShapeStyle {
+pub fn line(color: RGBColor, pixels: f64) -> ShapeStyle {
     color.stroke_width(px(pixels) as u32)
 }
 
 /// Text of `pixels` height; plotters divides sizes by 1.24.
-pub(crate) fn text(color: RGBColor, pixels: f64) -> TextStyle<'static> {
+pub fn text(color: RGBColor, pixels: f64) -> TextStyle<'static> {
     let mut style = TextStyle::from((FONT, pixels * 1.24 * f64::from(FINE)).into_font());
     style.color = color.to_backend_color();
     style
 }
 
-pub(crate) fn bold(color: RGBColor, pixels: f64) -> TextStyle<'static> {
+pub fn bold(color: RGBColor, pixels: f64) -> TextStyle<'static> {
     let mut style = text(color, pixels);
     style.font = style.font.style(FontStyle::Bold);
     style
 }
 
-pub(crate) fn centred(style: TextStyle<'static>) -> TextStyle<'static> {
+pub fn centred(style: TextStyle<'static>) -> TextStyle<'static> {
     style.pos(Pos::new(HPos::Center, VPos::Center))
 }
 
 /// A panel's title.
-pub(crate) fn heading(area: &Area, words: &str) -> Drawn {
+pub fn heading(area: &Area, words: &str) -> Drawn {
     area.draw(&Text::new(
         words.to_owned(),
         (px(20.0), px(14.0)),
@@ -63,7 +63,7 @@ pub(crate) fn heading(area: &Area, words: &str) -> Drawn {
 }
 
 /// Words in their curve's colour, one after the other from (x, y) down.
-pub(crate) fn key(area: &Area, (x, y): (f64, f64), words: &[(String, RGBColor)]) -> Drawn {
+pub fn key(area: &Area, (x, y): (f64, f64), words: &[(String, RGBColor)]) -> Drawn {
     for (i, (word, color)) in words.iter().enumerate() {
         let at = (px(x), px(y + 15.0 * i as f64));
         area.draw(&Text::new(word.clone(), at, text(*color, 11.5)))?;
@@ -72,7 +72,7 @@ pub(crate) fn key(area: &Area, (x, y): (f64, f64), words: &[(String, RGBColor)])
 }
 
 /// An SVG file of `width` × `height` pixels.
-pub(crate) fn svg(
+pub fn svg(
     (width, height): (u32, u32),
     title: &str,
     draw: impl FnOnce(&Area) -> Drawn,

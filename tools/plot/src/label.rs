@@ -8,12 +8,12 @@ const HEIGHT: f64 = 10.5;
 const LETTER: f64 = 5.5;
 
 /// A point in pixels from the area's corner.
-pub(crate) struct Mark {
-    pub(crate) x: f64,
-    pub(crate) y: f64,
-    pub(crate) words: String,
-    pub(crate) color: RGBColor,
-    pub(crate) ours: bool,
+pub struct Mark {
+    pub x: f64,
+    pub y: f64,
+    pub words: String,
+    pub color: RGBColor,
+    pub ours: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -34,7 +34,7 @@ impl Rect {
 
 /// Draws the marks with their words within `frame` (left, top, right, bottom), clear of a path of
 /// upright and level `steps`.
-pub(crate) fn draw(
+pub fn draw(
     area: &Area,
     marks: &[Mark],
     steps: &[(f64, f64)],

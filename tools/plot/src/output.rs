@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Files on their way; dropped before [`Staging::publish`] they leave no trace.
-pub(crate) struct Staging {
+pub struct Staging {
     folder: PathBuf,
     target: PathBuf,
     names: Vec<String>,
@@ -16,7 +16,7 @@ fn explain(path: &Path, e: &io::Error) -> String {
 }
 
 /// Checked before the work starts: neither the target nor a folder above it may be a file.
-pub(crate) fn check(target: &Path) -> Result<(), String> {
+pub fn check(target: &Path) -> Result<(), String> {
     let existing = target.ancestors().find(|path| path.exists());
     match existing {
         Some(path) if !path.is_dir() => Err(format!(
@@ -29,7 +29,7 @@ pub(crate) fn check(target: &Path) -> Result<(), String> {
 
 impl Staging {
     /// A hidden folder on the target's own file system, so that a rename suffices in the end.
-    pub(crate) fn new(target: &Path) -> Result<Staging, String> {
+    pub fn new(target: &Path) -> Result<Staging, String> {
         check(target)?;
         let hidden = format!(".atlas-{}", std::process::id());
         let folder = match target.parent() {
@@ -45,7 +45,7 @@ impl Staging {
         })
     }
 
-    pub(crate) fn add(&mut self, name: String, text: &str) -> Result<(), String> {
+    pub fn add(&mut self, name: String, text: &str) -> Result<(), String> {
         let path = self.folder.join(&name);
         fs::write(&path, text).map_err(|e| explain(&path, &e))?;
         self.names.push(name);
@@ -53,7 +53,7 @@ impl Staging {
     }
 
     /// Puts the files in place. Other files of the target stay.
-    pub(crate) fn publish(self) -> Result<(), String> {
+    pub fn publish(self) -> Result<(), String> {
         if !self.target.exists() {
             return fs::rename(&self.folder, &self.target).map_err(|e| explain(&self.target, &e));
         }

@@ -5,7 +5,7 @@ use crate::canvas::{AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, RED, TEAL, line
 use crate::label::{self, Mark};
 use plotters::prelude::*;
 
-pub(crate) const PANEL: (f64, f64) = (450.0, 360.0);
+pub const PANEL: (f64, f64) = (450.0, 360.0);
 /// The plot inside a panel: left, top, right, bottom.
 const FRAME: (f64, f64, f64, f64) = (62.0, 36.0, 438.0, 318.0);
 /// log₂ of the errors shown; what is beyond stands at the edge.
@@ -15,13 +15,13 @@ const ERRORS: (f64, f64) = (-60.0, 9.0);
 const CROWDED: f64 = 1.8;
 
 /// A contender in a panel.
-pub(crate) struct Point<'a> {
-    pub(crate) instructions: f64,
+pub struct Point<'a> {
+    pub instructions: f64,
     /// Its largest relative error.
-    pub(crate) error: f64,
-    pub(crate) short: &'a str,
-    pub(crate) ours: bool,
-    pub(crate) format: &'a str,
+    pub error: f64,
+    pub short: &'a str,
+    pub ours: bool,
+    pub format: &'a str,
 }
 
 /// Colour of a contender: by format, ours apart from the peers.
@@ -35,7 +35,7 @@ fn color(ours: bool, format: &str) -> RGBColor {
 }
 
 /// The words above the panels, with their colours.
-pub(crate) fn legend(area: &Area, y: f64, notes: &[&str]) -> Drawn {
+pub fn legend(area: &Area, y: f64, notes: &[&str]) -> Drawn {
     let ours = [
         ("● coslobe f32", TEAL),
         ("● coslobe f64", BLUE),
@@ -52,7 +52,7 @@ pub(crate) fn legend(area: &Area, y: f64, notes: &[&str]) -> Drawn {
     Ok(())
 }
 
-pub(crate) fn draw(area: &Area, points: &[Point]) -> Drawn {
+pub fn draw(area: &Area, points: &[Point]) -> Drawn {
     let shown: Vec<(&Point, f64, f64)> = points
         .iter()
         .map(|p| {

@@ -9,7 +9,7 @@ use shade_core::{
 use toml::Spanned;
 
 /// What differs between the worlds as files see them.
-pub(crate) trait World: Vector {
+pub trait World: Vector {
     /// The law of that name; `None` in the other world.
     fn law(name: LawName, exponent: f64) -> Option<Self::Law>;
     /// A diffuse surface's own.
@@ -144,7 +144,7 @@ fn plate<V: Vector>(centre: &Values, sides: &[Values], material: u8) -> Plate<V>
 
 /// The scene of a checked file, and the law of its diffuse directions (`law` before the file's own).
 /// `None` if that law is of the other world.
-pub(crate) fn scene<V: World>(raw: &Raw, law: Option<LawName>) -> Option<(Scene<V>, V::Law)> {
+pub fn scene<V: World>(raw: &Raw, law: Option<LawName>) -> Option<(Scene<V>, V::Law)> {
     let exponent = |k: &Option<Value>| k.as_ref().map_or(1.0, |k| *k.get_ref());
     let named = law.or(raw.law.as_ref().map(|l| *l.get_ref()));
     let law = match named {

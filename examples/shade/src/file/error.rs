@@ -5,10 +5,10 @@ use std::ops::Range;
 
 /// `file:line:column: what; expected …`
 #[derive(Debug)]
-pub(crate) struct Error(String);
+pub struct Error(String);
 
 impl Error {
-    pub(crate) fn new(name: &str, text: &str, span: Range<usize>, what: String) -> Error {
+    pub fn new(name: &str, text: &str, span: Range<usize>, what: String) -> Error {
         let before = text.get(..span.start).unwrap_or(text);
         let line = before.matches('\n').count() + 1;
         let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
@@ -16,7 +16,7 @@ impl Error {
     }
 
     /// What the parser says, on one line: its messages name what it expected.
-    pub(crate) fn of_toml(name: &str, text: &str, e: &toml::de::Error) -> Error {
+    pub fn of_toml(name: &str, text: &str, e: &toml::de::Error) -> Error {
         let what = e.message().trim().replace('\n', "; ");
         Error::new(name, text, e.span().unwrap_or(0..0), what)
     }

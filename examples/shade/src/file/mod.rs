@@ -7,24 +7,24 @@ mod ranges;
 mod raw;
 mod worlds;
 
-pub(crate) use build::{World, scene};
-pub(crate) use error::Error;
-pub(crate) use raw::{LawName, Raw};
+pub use build::{World, scene};
+pub use error::Error;
+pub use raw::{LawName, Raw};
 
 /// Most pixels along a side.
-pub(crate) const SIDE: i64 = 4096;
+pub const SIDE: i64 = 4096;
 /// Most samples of a pixel.
-pub(crate) const SAMPLES: i64 = 1 << 20;
+pub const SAMPLES: i64 = 1 << 20;
 /// Most scatterings of a path.
-pub(crate) const BOUNCES: i64 = 64;
+pub const BOUNCES: i64 = 64;
 /// Longest file, in bytes: a hundred times the longest sensible one.
-pub(crate) const BYTES: usize = 1 << 18;
+pub const BYTES: usize = 1 << 18;
 /// Largest size of a coordinate, radius, radiance or coefficient, and the least above 0.
-pub(crate) const LARGEST: f64 = 1e6;
-pub(crate) const LEAST: f64 = 1e-6;
+pub const LARGEST: f64 = 1e6;
+pub const LEAST: f64 = 1e-6;
 
 /// A scene file's text, read and checked; `name` is for the messages.
-pub(crate) fn parse(name: &str, text: &str) -> Result<Raw, Error> {
+pub fn parse(name: &str, text: &str) -> Result<Raw, Error> {
     if text.len() > BYTES {
         return Err(Error::new(
             name,

@@ -4,152 +4,152 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-pub(crate) type Value = Spanned<f64>;
-pub(crate) type Values = Spanned<Vec<f64>>;
+pub(super) type Value = Spanned<f64>;
+pub(super) type Values = Spanned<Vec<f64>>;
 
 /// A scene file.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Raw {
+pub struct Raw {
     /// What is to be seen.
-    pub(crate) title: String,
+    pub title: String,
     /// Two dimensions instead of three.
     #[serde(default)]
-    pub(crate) flatland: bool,
+    pub flatland: bool,
     /// Most scatterings of a path.
-    pub(crate) bounces: Option<Spanned<i64>>,
+    pub bounces: Option<Spanned<i64>>,
     /// The law that directions of diffuse reflection are drawn by.
-    pub(crate) law: Option<Spanned<LawName>>,
+    pub law: Option<Spanned<LawName>>,
     /// Its exponent, for `cos_power`.
-    pub(crate) exponent: Option<Value>,
+    pub exponent: Option<Value>,
     /// How a lamp's two strategies are combined.
     #[serde(default)]
-    pub(crate) combine: CombineName,
-    pub(crate) image: Image,
-    pub(crate) camera: Spanned<Camera>,
-    pub(crate) sky: Option<Spanned<Sky>>,
-    pub(crate) sun: Option<Sun>,
-    pub(crate) fog: Option<Fog>,
+    pub combine: CombineName,
+    pub image: Image,
+    pub camera: Spanned<Camera>,
+    pub sky: Option<Spanned<Sky>>,
+    pub sun: Option<Sun>,
+    pub fog: Option<Fog>,
     #[serde(default)]
-    pub(crate) material: BTreeMap<Spanned<String>, Spanned<Material>>,
+    pub material: BTreeMap<Spanned<String>, Spanned<Material>>,
     #[serde(default)]
-    pub(crate) lamp: Vec<Spanned<Lamp>>,
+    pub lamp: Vec<Spanned<Lamp>>,
     #[serde(default)]
-    pub(crate) sphere: Vec<Spanned<Sphere>>,
+    pub sphere: Vec<Spanned<Sphere>>,
     #[serde(default)]
-    pub(crate) plate: Vec<Spanned<Plate>>,
+    pub plate: Vec<Spanned<Plate>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Image {
-    pub(crate) width: Spanned<i64>,
-    pub(crate) height: Spanned<i64>,
-    pub(crate) samples: Spanned<i64>,
-    pub(crate) seed: Option<Spanned<i64>>,
+pub struct Image {
+    pub width: Spanned<i64>,
+    pub height: Spanned<i64>,
+    pub samples: Spanned<i64>,
+    pub seed: Option<Spanned<i64>>,
     /// What the radiance is multiplied by before it is encoded as sRGB.
-    pub(crate) exposure: Option<Value>,
+    pub exposure: Option<Value>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Camera {
+pub struct Camera {
     /// Space: where it is.
-    pub(crate) eye: Option<Values>,
+    pub eye: Option<Values>,
     /// Space: what is in the image's middle.
-    pub(crate) look_at: Option<Values>,
+    pub look_at: Option<Values>,
     /// Space: field of view from bottom to top, in degrees.
-    pub(crate) fov: Option<Value>,
+    pub fov: Option<Value>,
     /// Flatland: the view's middle.
-    pub(crate) centre: Option<Values>,
+    pub centre: Option<Values>,
     /// Flatland: the view's height.
-    pub(crate) height: Option<Value>,
+    pub height: Option<Value>,
     /// Width of the pixel filter, in pixels.
-    pub(crate) filter: Option<Value>,
+    pub filter: Option<Value>,
     /// Space: a lens, instead of a pinhole.
-    pub(crate) lens: Option<Spanned<Lens>>,
+    pub lens: Option<Spanned<Lens>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Lens {
-    pub(crate) radius: Value,
+pub struct Lens {
+    pub radius: Value,
     /// Distance of the plane in focus.
-    pub(crate) focus: Value,
+    pub focus: Value,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Sky {
+pub struct Sky {
     /// From everywhere; or else both of the following.
-    pub(crate) constant: Option<Values>,
-    pub(crate) nadir: Option<Values>,
-    pub(crate) zenith: Option<Values>,
+    pub constant: Option<Values>,
+    pub nadir: Option<Values>,
+    pub zenith: Option<Values>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Sun {
+pub struct Sun {
     /// Direction to the sun, of any length.
-    pub(crate) towards: Values,
-    pub(crate) irradiance: Values,
+    pub towards: Values,
+    pub irradiance: Values,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Fog {
-    pub(crate) centre: Values,
-    pub(crate) radius: Value,
-    pub(crate) absorption: Option<Values>,
-    pub(crate) scattering: Option<Value>,
+pub struct Fog {
+    pub centre: Values,
+    pub radius: Value,
+    pub absorption: Option<Values>,
+    pub scattering: Option<Value>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Material {
-    pub(crate) diffuse: Option<Values>,
-    pub(crate) gloss: Option<Spanned<Gloss>>,
-    pub(crate) emission: Option<Values>,
+pub struct Material {
+    pub diffuse: Option<Values>,
+    pub gloss: Option<Spanned<Gloss>>,
+    pub emission: Option<Values>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Gloss {
-    pub(crate) reflectance: Values,
-    pub(crate) law: Spanned<LawName>,
+pub struct Gloss {
+    pub reflectance: Values,
+    pub law: Spanned<LawName>,
     /// For `cos_power`.
-    pub(crate) exponent: Option<Value>,
+    pub exponent: Option<Value>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Lamp {
-    pub(crate) centre: Values,
-    pub(crate) radius: Value,
-    pub(crate) radiance: Values,
+pub struct Lamp {
+    pub centre: Values,
+    pub radius: Value,
+    pub radiance: Values,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Sphere {
-    pub(crate) centre: Values,
-    pub(crate) radius: Value,
-    pub(crate) material: Spanned<String>,
+pub struct Sphere {
+    pub centre: Values,
+    pub radius: Value,
+    pub material: Spanned<String>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Plate {
-    pub(crate) centre: Values,
+pub struct Plate {
+    pub centre: Values,
     /// Space: two sides, at a right angle; flatland: one.
-    pub(crate) sides: Spanned<Vec<Values>>,
-    pub(crate) material: Spanned<String>,
+    pub sides: Spanned<Vec<Values>>,
+    pub material: Spanned<String>,
 }
 
 /// The crate's laws.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "snake_case")]
-pub(crate) enum LawName {
+pub enum LawName {
     Lambert,
     SphereShell,
     Ball,
@@ -168,7 +168,7 @@ impl std::str::FromStr for LawName {
 }
 
 impl LawName {
-    pub(crate) fn is_flat(self) -> bool {
+    pub fn is_flat(self) -> bool {
         matches!(self, Self::CircleArc | Self::CircleShell | Self::Disk)
     }
 }
@@ -176,7 +176,7 @@ impl LawName {
 /// See `shade_core::effect::Combine`.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "snake_case")]
-pub(crate) enum CombineName {
+pub enum CombineName {
     #[default]
     Balance,
     Power,

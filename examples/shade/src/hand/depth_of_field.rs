@@ -6,7 +6,7 @@ use coslobe::{Lambert, Law};
 use shade_core::{Effect, Number, Place, Ray, Scene, Target, Vector};
 
 #[inline(always)]
-pub(crate) fn depth_of_field(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn depth_of_field(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] {
     let camera = &scene.camera;
     let (x, y) = filtered(scene, at, place);
     let (x, y) = (x * camera.step, -(y * camera.step));

@@ -5,7 +5,7 @@ use shade_core::{Place, Scene, Target};
 
 /// All samples of a pixel are one.
 #[inline(always)]
-pub(crate) fn emitter(scene: &Scene<[f32; 3]>, at: (u16, u16)) -> impl Fn(Place) -> [f32; 3] {
+pub fn emitter(scene: &Scene<[f32; 3]>, at: (u16, u16)) -> impl Fn(Place) -> [f32; 3] {
     let hit = nearest(scene, &pinhole(scene, middle(scene, at)));
     let seen = if hit.target == Target::NONE {
         None

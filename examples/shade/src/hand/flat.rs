@@ -45,7 +45,7 @@ fn diffuse(normal: [f32; 2], place: Place, bounce: u32) -> (CosSin<f32>, [f32; 2
 }
 
 #[inline(always)]
-pub(crate) fn flat_lamp(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn flat_lamp(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
     let p = <[f32; 2]>::isotropic_density();
     let probe = point(scene, at, place);
     let mut light = direct(
@@ -101,7 +101,7 @@ fn sunlight(scene: &Flat, origin: [f32; 2], from: Target, reflected: Option<[f32
 }
 
 #[inline(always)]
-pub(crate) fn flat_bounces(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn flat_bounces(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
     let probe = point(scene, at, place);
     let p = <[f32; 2]>::isotropic_density();
     let mut light = sunlight(scene, probe, Target::NONE, Some([p; 3]));

@@ -27,7 +27,7 @@ fn sunlight(scene: &Space, origin: [f32; 3], from: Target, reflected: [f32; 3]) 
 }
 
 #[inline(always)]
-pub(crate) fn fog(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn fog(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
     let mut ray = pinhole(scene, filtered(scene, at, place));
     let (mut light, mut throughput) = ([0.0; 3], [1.0; 3]);
     let fog = &scene.fog;

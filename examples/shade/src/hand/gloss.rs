@@ -7,7 +7,7 @@ use coslobe::{Lambert, Law};
 use shade_core::{Effect, Place, Ray, Sampling, Scene, Target, Vector};
 
 #[inline(always)]
-pub(crate) fn gloss(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn gloss(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] {
     let mut ray = pinhole(scene, filtered(scene, at, place));
     let (mut light, mut throughput, mut density) = ([0.0; 3], [1.0; 3], f32::INFINITY);
     let limit = u32::from(scene.bounces);

@@ -5,7 +5,7 @@ use coslobe::{CosSin, Lambert, Law};
 use shade_core::{Place, Ray, Scene, Target};
 
 #[inline(always)]
-pub(crate) fn hard_shadow(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn hard_shadow(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] {
     let black = [0.0; 3];
     let ray = pinhole(scene, filtered(scene, at, place));
     let hit = nearest(scene, &ray);

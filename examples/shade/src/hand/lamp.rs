@@ -121,11 +121,11 @@ fn bounces(scene: &Space, at: (u16, u16), place: Place, limit: u32) -> [f32; 3] 
 }
 
 #[inline(always)]
-pub(crate) fn soft_shadow(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn soft_shadow(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
     bounces(scene, at, place, 1)
 }
 
 #[inline(always)]
-pub(crate) fn interior(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn interior(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
     bounces(scene, at, place, u32::from(scene.bounces))
 }

@@ -12,14 +12,14 @@ mod hard_shadow;
 mod lamp;
 mod open_sky;
 
-pub(crate) use depth_of_field::depth_of_field;
-pub(crate) use emitter::emitter;
-pub(crate) use flat::{flat_bounces, flat_lamp};
-pub(crate) use fog::fog;
-pub(crate) use gloss::gloss;
-pub(crate) use hard_shadow::hard_shadow;
-pub(crate) use lamp::{interior, soft_shadow};
-pub(crate) use open_sky::{furnace, gradient};
+pub use depth_of_field::depth_of_field;
+pub use emitter::emitter;
+pub use flat::{flat_bounces, flat_lamp};
+pub use fog::fog;
+pub use gloss::gloss;
+pub use hard_shadow::hard_shadow;
+pub use lamp::{interior, soft_shadow};
+pub use open_sky::{furnace, gradient};
 
 use shade_core::{Effect, Hit, Material, Place, Ray, Scene, Stream, Target, Vector, Words};
 

@@ -46,7 +46,7 @@ fn one_bounce(scene: &Space, ray: &Ray<[f32; 3]>, hit: Hit<f32>, place: Place) -
 }
 
 #[inline(always)]
-pub(crate) fn furnace(scene: &Space, at: (u16, u16)) -> impl Fn(Place) -> [f32; 3] {
+pub fn furnace(scene: &Space, at: (u16, u16)) -> impl Fn(Place) -> [f32; 3] {
     // Without a filter the samples of a pixel part at the first hit.
     let ray = pinhole(scene, middle(scene, at));
     let hit = nearest(scene, &ray);
@@ -54,7 +54,7 @@ pub(crate) fn furnace(scene: &Space, at: (u16, u16)) -> impl Fn(Place) -> [f32; 
 }
 
 #[inline(always)]
-pub(crate) fn gradient(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
+pub fn gradient(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
     let ray = pinhole(scene, filtered(scene, at, place));
     one_bounce(scene, &ray, nearest(scene, &ray), place)
 }

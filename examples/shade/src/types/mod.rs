@@ -4,11 +4,11 @@ mod draw;
 mod page;
 mod sheet;
 
-use crate::file::{Raw, scene};
 use crate::image::{write_png, write_whole};
 use coslobe::{Fast, Precise};
 use draw::{Means, halved, median, passes, reference, rmse, worse_than};
 use indicatif::{ProgressBar, ProgressStyle};
+use shade::file::{Raw, scene};
 use shade_core::{Number, Scene, Set};
 use std::error::Error;
 use std::path::Path;

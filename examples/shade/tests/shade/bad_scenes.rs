@@ -1,7 +1,7 @@
 //! Bad scenes: the line, the column, and what was expected.
 
-use crate::cells::SHIPPED;
-use crate::file::parse;
+use shade::cells::SHIPPED;
+use shade::file::parse;
 
 /// The gradient scene with one line replaced, which is its `line`-th.
 fn complaint(from: &str, to: &str) -> String {

@@ -1,8 +1,8 @@
 //! What a scene does not call for is not simulated, and forcing it on changes no bit.
 
-use crate::cells::{SHIPPED, cells};
-use crate::file::{World, parse, scene};
 use coslobe::{Fast, Precise};
+use shade::cells::{SHIPPED, cells};
+use shade::file::{World, parse, scene};
 use shade_core::effect::Lamp;
 use shade_core::{Asked, Counters, Effect, Effects, Number, Pixel, Scene, Set, Vector, pixel};
 

@@ -1,6 +1,6 @@
 //! The bits of every shipped scene's pixels: the same in debug and release, on every target.
 
-use crate::cells::cells;
+use shade::cells::cells;
 use shade_core::Pixel;
 
 /// FNV-1a of the sums.

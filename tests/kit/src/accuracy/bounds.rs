@@ -7,7 +7,7 @@ use super::reference::Id;
 use super::subject::Subject;
 use super::tally::{Stat, Tally};
 
-const TABLE: &str = include_str!("../../docs/bounds.md");
+const TABLE: &str = include_str!("../../../../docs/bounds.md");
 
 /// The cell of an operation of a law, from the section of the number type; `None` for "–".
 pub fn allowed(tier: &str, law: &str, operation: &str) -> Option<f64> {

@@ -1,6 +1,5 @@
 //! Accuracy: references, sweeps and the table of allowed errors, shared by the tests and by the
 //! examples that write the observed table.
-#![allow(dead_code, unreachable_pub)] // each user needs a part
 
 pub mod bounds;
 pub mod double;

@@ -149,12 +149,11 @@ impl Stat {
     }
 
     fn keep(&mut self, input: u64) {
-        if let Err(at) = self.misrounded.binary_search(&input) {
-            if at < KEPT {
+        if let Err(at) = self.misrounded.binary_search(&input)
+            && at < KEPT {
                 self.misrounded.insert(at, input);
                 self.misrounded.truncate(KEPT);
             }
-        }
     }
 
     fn merge(&mut self, other: &Self) {

@@ -31,6 +31,12 @@ pub struct Truth<F: Format> {
     pub ties: u64,
 }
 
+impl<F: Format> Default for Truth<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<F: Format> Truth<F> {
     pub fn new() -> Self {
         Truth {

@@ -146,6 +146,12 @@ pub fn tail_slots(law: Id) -> impl Iterator<Item = (usize, Slot)> {
     })
 }
 
+impl<F: Format> Default for Truths<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<F: Format> Truths<F> {
     pub fn new() -> Self {
         Truths((0..9).map(|_| Truth::new()).collect())
@@ -178,11 +184,10 @@ impl<F: Format> Truths<F> {
                     continue;
                 }
                 self.0[k].put(i, want, terms, || fine(k));
-                if self.0[k].tie[i] {
-                    if let Some(beyond) = beyond_tie(law, a, k, self.0[k].value[i].near()) {
+                if self.0[k].tie[i]
+                    && let Some(beyond) = beyond_tie(law, a, k, self.0[k].value[i].near()) {
                         self.0[k].break_tie(i, beyond);
                     }
-                }
             }
             if let Id::CosPower(_) = law {
                 self.0[1].absolute_below_one(i);

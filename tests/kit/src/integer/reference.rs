@@ -1,16 +1,11 @@
 //! The operations of the 32-bit type beside what they should be.
-// Its items are those of one test file.
-#![allow(unreachable_pub)]
 
+pub use super::truth::power_pair;
+use super::truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
 use coslobe::fixed::FixedLaw;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
 use fixed::types::{I0F32, I1F31, U0F32};
 use std::ops::Deref;
-pub use truth::power_pair;
-use truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
-
-#[path = "truth.rs"]
-pub mod truth;
 
 pub const Q31: f64 = 2147483648.0;
 pub const Q32: f64 = 4294967296.0;

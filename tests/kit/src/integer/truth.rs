@@ -1,6 +1,4 @@
 //! The laws in closed `f64` forms that share nothing with the crate.
-// Its items are those of two test files.
-#![allow(unreachable_pub, dead_code)]
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

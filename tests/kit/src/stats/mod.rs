@@ -1,6 +1,5 @@
 //! One statistical harness for every law and number type, shared by the test files beside it.
 // Each test file compiles this module for itself and uses its own part of it.
-#![allow(dead_code, unreachable_pub)]
 
 pub mod chi2;
 pub mod harness;

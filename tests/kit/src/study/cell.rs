@@ -7,15 +7,15 @@ use std::hint::black_box;
 use std::rc::Rc;
 
 /// Draws of one run of a sampler: rejection makes their cost a mean, which this many settle to 1 %.
-pub(crate) const DRAWS: u64 = 4096;
+pub const DRAWS: u64 = 4096;
 
 /// The generator that all samplers, ours and the peers', draw from.
-pub(crate) fn generator() -> Pcg32 {
+pub fn generator() -> Pcg32 {
     Pcg32::new(black_box(0x853C_49E6_748F_EA9B), 0xDA3E_39CB_94B9_5BDB)
 }
 
 /// Something that draws from a generator, whichever it is.
-pub(crate) trait Draw: Copy + 'static {
+pub trait Draw: Copy + 'static {
     type Out: Default + 'static;
     /// To be inlined: this wrapper shall cost nothing of its own.
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Self::Out;
@@ -25,29 +25,29 @@ pub(crate) trait Draw: Copy + 'static {
 
 /// Arguments to count over, and arguments to time over.
 #[derive(Clone)]
-pub(crate) struct Inputs<A> {
+pub struct Inputs<A> {
     /// Few, and stratified to the ends of the domain.
-    pub(crate) counted: Rc<[A]>,
+    pub counted: Rc<[A]>,
     /// Many, even over the domain and shuffled: branches are as hard to foresee as in use.
-    pub(crate) timed: Rc<[A]>,
+    pub timed: Rc<[A]>,
 }
 
 /// One run of a function over its inputs, and of the same loop without the function.
-pub(crate) struct Cell {
-    pub(crate) run: Box<dyn FnMut()>,
-    pub(crate) empty: Box<dyn FnMut()>,
+pub struct Cell {
+    pub run: Box<dyn FnMut()>,
+    pub empty: Box<dyn FnMut()>,
     /// Calls of one such run.
-    pub(crate) calls: u64,
-    pub(crate) timed: Box<dyn FnMut()>,
-    pub(crate) timed_calls: u64,
-    pub(crate) words: Option<Words>,
+    pub calls: u64,
+    pub timed: Box<dyn FnMut()>,
+    pub timed_calls: u64,
+    pub words: Option<Words>,
     /// Mean cos θ of what was drawn.
-    pub(crate) mean_cos: Option<f64>,
+    pub mean_cos: Option<f64>,
 }
 
 impl Cell {
     /// A pure function on given inputs.
-    pub(crate) fn of<A: Copy + 'static, B: Default + 'static>(
+    pub fn of<A: Copy + 'static, B: Default + 'static>(
         inputs: &Inputs<A>,
         f: impl Fn(A) -> B + Copy + 'static,
     ) -> Cell {
@@ -92,7 +92,7 @@ impl Cell {
     }
 
     /// A sampler with its generator: the generator's instructions are part of the cost.
-    pub(crate) fn drawing<D: Draw>(sampler: D) -> Cell {
+    pub fn drawing<D: Draw>(sampler: D) -> Cell {
         // Never started again: a repeated sequence would teach the branch predictor each rejection.
         let mut endless = generator();
         let (words, mean_cos) = Words::of(sampler);
@@ -113,7 +113,7 @@ impl Cell {
 }
 
 /// The generator alone: a `next_u32`, a `next_u64`.
-pub(crate) fn generator_cells() -> [Cell; 2] {
+pub fn generator_cells() -> [Cell; 2] {
     [
         Cell::words(|rng| rng.next_u32()),
         Cell::words(|rng| rng.next_u64()),
@@ -139,9 +139,9 @@ fn draws(sampler: impl Draw, rng: &mut Pcg32) {
 
 /// Mean calls of the generator per sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Words {
-    pub(crate) next_u32: f64,
-    pub(crate) next_u64: f64,
+pub struct Words {
+    pub next_u32: f64,
+    pub next_u64: f64,
 }
 
 impl Words {

@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The hidden subcommand that valgrind runs.
-pub(crate) const SUBCOMMAND: &str = "count-cells";
+pub const SUBCOMMAND: &str = "count-cells";
 /// What callgrind calls [`counted`], whose symbol is mangled.
 const SYMBOL: &str = concat!(module_path!(), "::counted");
 
 /// Why there are no counts.
-pub(crate) enum Missing {
+pub enum Missing {
     /// No valgrind: the columns stay empty.
     Skipped(String),
     /// Something that should have worked did not.
@@ -29,7 +29,7 @@ fn counted(cell: &mut dyn FnMut()) {
 }
 
 /// The child's side: what each cell runs, then its empty loop; a line for each.
-pub(crate) fn child<'a>(cells: impl Iterator<Item = [&'a mut (dyn FnMut() + 'static); 2]>) {
+pub fn child<'a>(cells: impl Iterator<Item = [&'a mut (dyn FnMut() + 'static); 2]>) {
     for [run, empty] in cells {
         // Once before, so that lazily bound symbols are not billed to a cell.
         run();
@@ -49,7 +49,7 @@ impl Drop for Scratch {
 }
 
 /// Mean instructions of a call of each cell, of which this is told the calls; `step` hears of each.
-pub(crate) fn counts(calls: &[u64], step: impl Fn()) -> Result<Vec<f64>, Missing> {
+pub fn counts(calls: &[u64], step: impl Fn()) -> Result<Vec<f64>, Missing> {
     if let Err(e) = Command::new("valgrind").arg("--version").output() {
         return Err(Missing::Skipped(format!(
             "valgrind does not start ({e}); `apt install valgrind`"

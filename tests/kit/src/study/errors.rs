@@ -1,10 +1,10 @@
 //! Relative errors of samples and of peers by decade of the tail: one measure for all.
 
+use super::inputs::{Uniforms, tails};
 use crate::accuracy::format::Format;
 use crate::accuracy::inverse::warp;
 use crate::accuracy::reference::Id;
 use crate::accuracy::wide::Wide;
-use crate::inputs::{Uniforms, tails};
 use std::collections::BTreeMap;
 
 /// The tail: p at most this, as `tests/accuracy` has it.
@@ -12,14 +12,14 @@ const TAIL: f64 = 1.0 / (1 << 20) as f64;
 
 /// Worst relative errors by decade ⌊log₁₀ p⌋ of the nearer tail p, and in the tail.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Errors {
-    pub(crate) decades: BTreeMap<i32, f64>,
-    pub(crate) in_tail: Option<f64>,
-    pub(crate) inputs: u64,
+pub struct Errors {
+    pub decades: BTreeMap<i32, f64>,
+    pub in_tail: Option<f64>,
+    pub inputs: u64,
 }
 
 impl Errors {
-    pub(crate) fn note(&mut self, p: f64, error: f64) {
+    pub fn note(&mut self, p: f64, error: f64) {
         let error = if error.is_nan() { f64::INFINITY } else { error };
         let decade = p.max(f64::MIN_POSITIVE).log10().floor() as i32;
         let worst = self.decades.entry(decade).or_default();
@@ -30,13 +30,13 @@ impl Errors {
         self.inputs += 1;
     }
 
-    pub(crate) fn worst(&self) -> f64 {
+    pub fn worst(&self) -> f64 {
         self.decades.values().fold(0.0, |a, &b| a.max(b))
     }
 }
 
 /// |got − want| / |want|; an exact zero is no error.
-pub(crate) fn relative<W: Wide>(got: W, want: W) -> f64 {
+pub fn relative<W: Wide>(got: W, want: W) -> f64 {
     let difference = (got - want).near().abs();
     if difference == 0.0 {
         0.0
@@ -46,12 +46,12 @@ pub(crate) fn relative<W: Wide>(got: W, want: W) -> f64 {
 }
 
 /// The larger relative error of (cos θ, sin θ).
-pub(crate) fn of_pair<W: Wide>(got: (W, W), want: (W, W)) -> f64 {
+pub fn of_pair<W: Wide>(got: (W, W), want: (W, W)) -> f64 {
     relative(got.0, want.0).max(relative(got.1, want.1))
 }
 
 /// (cos θ, sin θ) that a direction with axis +y holds; sin θ without its sign.
-pub(crate) fn polar<T: Format>(d: &[T]) -> (T::Wide, T::Wide) {
+pub fn polar<T: Format>(d: &[T]) -> (T::Wide, T::Wide) {
     let w = |x: T| T::Wide::of(x.wide());
     match *d {
         [sin, cos] => (w(cos), w(sin)),
@@ -84,7 +84,7 @@ fn both_sides<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
 }
 
 /// Errors of a map from the cdf (or, if `upper`, the sf) to a direction.
-pub(crate) fn of_map<T: Format, const N: usize>(
+pub fn of_map<T: Format, const N: usize>(
     law: Id,
     upper: bool,
     from: Uniforms,
@@ -100,7 +100,7 @@ pub(crate) fn of_map<T: Format, const N: usize>(
 }
 
 /// Errors of a law's own two entries: p as the cdf and as the sf.
-pub(crate) fn of_entries<T: Format, const N: usize>(
+pub fn of_entries<T: Format, const N: usize>(
     law: Id,
     from: Uniforms,
     n: u32,
@@ -118,7 +118,7 @@ pub(crate) fn of_entries<T: Format, const N: usize>(
 }
 
 /// Errors of a quantile: θ at cdf = u.
-pub(crate) fn of_quantile<T: Format>(law: Id, n: u32, quantile: impl Fn(T) -> T) -> Errors {
+pub fn of_quantile<T: Format>(law: Id, n: u32, quantile: impl Fn(T) -> T) -> Errors {
     let mut errors = Errors::default();
     for u in both_sides::<T>(Uniforms::All, n) {
         let ((cos, sin), p) = truth(law, u, false);
@@ -131,7 +131,7 @@ pub(crate) fn of_quantile<T: Format>(law: Id, n: u32, quantile: impl Fn(T) -> T)
 }
 
 /// Errors of a function of θ, by decade of the distance from the nearer end of [0, π/2].
-pub(crate) fn of_angle<T: Format>(
+pub fn of_angle<T: Format>(
     angles: &[T],
     got: impl Fn(T) -> T,
     want: impl Fn(f64) -> T::Wide,

@@ -1,8 +1,8 @@
 //! Arguments: few and stratified for the cost, many for the errors.
 
+use super::cell::{Inputs, generator};
 use crate::accuracy::format::Format;
 use crate::accuracy::inputs::stratified;
-use crate::cell::{Inputs, generator};
 use coslobe::CosSin;
 use coslobe::rand_core::Rng;
 
@@ -11,7 +11,7 @@ const COUNTED: u64 = 510;
 const TIMED: u64 = 8192;
 
 /// Angles: a third by decade, a third evenly, a third crowding at π/2; of both signs in the plane.
-pub(crate) fn angles<T: Format>(planar: bool) -> Inputs<T> {
+pub fn angles<T: Format>(planar: bool) -> Inputs<T> {
     let sign = |i, angle: T| if planar && i % 2 == 1 { -angle } else { angle };
     let half_pi = T::of_bits(T::TOP_ANGLE).wide();
     Inputs {
@@ -25,7 +25,7 @@ pub(crate) fn angles<T: Format>(planar: bool) -> Inputs<T> {
 }
 
 /// Unit vectors at those angles.
-pub(crate) fn pairs<T: Format>(planar: bool) -> Inputs<CosSin<T>> {
+pub fn pairs<T: Format>(planar: bool) -> Inputs<CosSin<T>> {
     let pair = |&theta: &T| {
         let (sin, cos) = theta.wide().sin_cos();
         CosSin {
@@ -41,7 +41,7 @@ pub(crate) fn pairs<T: Format>(planar: bool) -> Inputs<CosSin<T>> {
 }
 
 /// Probabilities, those to count over crowding at both ends.
-pub(crate) fn probabilities<T: Format>() -> Inputs<T> {
+pub fn probabilities<T: Format>() -> Inputs<T> {
     let p = |i| stratified::<T>(T::HALF_BITS, i, COUNTED);
     let mirrored = |i| T::round(1.0) - p(i);
     Inputs {
@@ -60,7 +60,7 @@ fn even() -> impl Iterator<Item = (u64, f64)> {
 
 /// Which uniforms errors are measured at.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Uniforms {
+pub enum Uniforms {
     /// Every normal number of the format up to ½, by decade, and their mirror images.
     All,
     /// Multiples of 2⁻²⁴ (`f32`) or 2⁻⁵³ (`f64`): what `rand` draws.
@@ -70,7 +70,7 @@ pub(crate) enum Uniforms {
 }
 
 /// p in (0, ½], n in each octave.
-pub(crate) fn tails<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
+pub fn tails<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
     let octaves = match from {
         Uniforms::All => -T::LEAST - 1,
         Uniforms::Grid => T::DIGITS - 1,

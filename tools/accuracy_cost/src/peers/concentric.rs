@@ -3,13 +3,13 @@
 
 use super::maths::{Libm, Maths, Micro, Std};
 use super::{About, Mapped, push};
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
-use crate::accuracy::wide::Wide;
-use crate::cell::Cell;
 use crate::contender::{Contender, Measure};
-use crate::errors::{Errors, of_pair, polar};
-use crate::inputs::tails;
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
+use kit::accuracy::wide::Wide;
+use kit::study::cell::Cell;
+use kit::study::errors::{Errors, of_pair, polar};
+use kit::study::inputs::tails;
 use rand::distr::{Distribution, StandardUniform};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::marker::PhantomData;

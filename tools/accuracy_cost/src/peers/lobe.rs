@@ -6,10 +6,10 @@
 
 use super::maths::{Libm, Maths, Micro, Std};
 use super::{About, spatial};
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
 use crate::catalog::EXPONENT;
 use crate::contender::Contender;
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
 use rand::distr::{Distribution, StandardUniform};
 use std::f64::consts::TAU;
 

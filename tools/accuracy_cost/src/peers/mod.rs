@@ -12,13 +12,13 @@ mod rejection;
 mod root_finder;
 mod textbook;
 
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
-use crate::cell::{Cell, Draw};
 use crate::contender::{Contender, Measure, plain};
-use crate::errors;
-use crate::inputs::Uniforms;
 use coslobe::rand_core::Rng;
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
+use kit::study::cell::{Cell, Draw};
+use kit::study::errors;
+use kit::study::inputs::Uniforms;
 use rand::RngExt;
 use rand::distr::{Distribution, StandardUniform};
 use std::marker::PhantomData;

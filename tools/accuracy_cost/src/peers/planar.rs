@@ -3,9 +3,9 @@
 
 use super::maths::{Libm, Maths, Micro, Std};
 use super::{About, flat};
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
 use crate::contender::Contender;
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
 use rand::distr::{Distribution, StandardUniform};
 use std::f64::consts::PI;
 

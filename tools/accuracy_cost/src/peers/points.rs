@@ -6,13 +6,13 @@
 
 use super::maths::{Maths, Std};
 use super::{About, push};
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
-use crate::accuracy::wide::Wide;
-use crate::cell::{Cell, Draw, generator};
 use crate::contender::{Contender, Measure};
-use crate::errors::{Errors, of_pair, polar};
 use coslobe::rand_core::Rng;
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
+use kit::accuracy::wide::Wide;
+use kit::study::cell::{Cell, Draw, generator};
+use kit::study::errors::{Errors, of_pair, polar};
 use rand::distr::uniform::SampleUniform;
 use rand_distr::{Distribution, Uniform, UnitBall, UnitCircle, UnitDisc, UnitSphere};
 use std::marker::PhantomData;
@@ -38,9 +38,9 @@ where
 
 /// The axis is the second component in space, as the laws have it, and in the plane too.
 #[derive(Clone, Copy)]
-struct Tangent<T, D>(D, PhantomData<T>);
+struct Tangent<T, D, const N: usize>(D, PhantomData<[T; N]>);
 
-impl<T, D, const N: usize> Draw for (Tangent<T, D>, [(); N])
+impl<T, D, const N: usize> Draw for Tangent<T, D, N>
 where
     T: Format,
     Std: Maths<T>,
@@ -50,7 +50,7 @@ where
     type Out = [T; N];
     #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; N] {
-        let mut d = self.0.0.sample(rng);
+        let mut d = self.0.sample(rng);
         d[1] = d[1] + T::round(1.0);
         let square = d.iter().fold(T::default(), |sum, &x| sum + x * x);
         let length = Std::sqrt(square);
@@ -68,7 +68,7 @@ where
     D: Distribution<[T; N]> + Copy + 'static,
     [T; N]: Default,
 {
-    let sampler = (Tangent(source, PhantomData::<T>), [(); N]);
+    let sampler = Tangent(source, PhantomData::<[T; N]>);
     let about = About {
         name: match name {
             "UnitSphere" => "UnitSphere + normal",

@@ -3,13 +3,13 @@
 //! What is left when no inverse is at hand; cos³ has the uniform ball instead.
 
 use super::{About, push};
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
-use crate::accuracy::wide::Wide;
-use crate::cell::{Cell, Draw, generator};
 use crate::contender::{Contender, Measure};
-use crate::errors::{Errors, of_pair, polar};
 use coslobe::rand_core::Rng;
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
+use kit::accuracy::wide::Wide;
+use kit::study::cell::{Cell, Draw, generator};
+use kit::study::errors::{Errors, of_pair, polar};
 use rand::RngExt;
 use rand::distr::StandardUniform;
 use rand::distr::uniform::SampleUniform;

@@ -3,12 +3,12 @@
 
 use super::maths::{Libm, Maths, Std};
 use super::{About, flat, push};
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::Id;
-use crate::cell::Cell;
 use crate::contender::{Contender, Measure};
-use crate::errors;
-use crate::inputs::probabilities;
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::Id;
+use kit::study::cell::Cell;
+use kit::study::errors;
+use kit::study::inputs::probabilities;
 use rand::distr::{Distribution, StandardUniform};
 use std::f64::consts::{FRAC_PI_2, PI};
 

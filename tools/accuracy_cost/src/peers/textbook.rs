@@ -2,13 +2,13 @@
 
 use super::maths::{Maths, Std};
 use super::{About, push};
-use crate::accuracy::format::Format;
-use crate::accuracy::reference::{self, Direction, Id};
 use crate::catalog::EXPONENT;
-use crate::cell::Cell;
 use crate::contender::{Contender, Measure};
-use crate::errors;
-use crate::inputs::{angles, probabilities};
+use kit::accuracy::format::Format;
+use kit::accuracy::reference::{self, Direction, Id};
+use kit::study::cell::Cell;
+use kit::study::errors;
+use kit::study::inputs::{angles, probabilities};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, PI, TAU};
 
 pub(super) fn all(list: &mut Vec<Contender>) {

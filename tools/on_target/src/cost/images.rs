@@ -1,9 +1,9 @@
 //! The images that are counted.
 
 use crate::boards::Board;
-use crate::build::workspace;
+use crate::build::{root, workspace};
 use crate::failure::{Failure, Result, While};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 /// An image: a number type of ours, or a peer.
@@ -69,7 +69,7 @@ pub(crate) struct Image {
 
 impl Image {
     pub(crate) fn build(board: &Board, subject: &Subject) -> Result<Image> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/on_target/cost");
+        let root = root().join("target/on_target/cost");
         std::fs::create_dir_all(&root).while_(format!("creating {}", root.display()))?;
         let object = root.join(format!("{}-{}.o", board.name, subject.binary));
         // One a board, so that boards can be built side by side.

@@ -1,14 +1,12 @@
 //! Absolute errors of directions in integers: their unit does not shrink with the component.
 
-use super::formulas::{EXPONENT, lambert_by_idsp};
-use crate::fixed_reference::truth::{
-    BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth,
-};
-use crate::fixed_reference::{Q31, Q32, power_pair, subjects};
 use coslobe::fixed::CosPower;
 use coslobe::fixed16::Fixed16Law;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
 use fixed::types::{I1F31, U0F16, U0F32, U16F16};
+use kit::formulas::{EXPONENT, lambert_by_idsp};
+use kit::integer::reference::{Q31, Q32, power_pair, subjects};
+use kit::integer::truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
 
 /// Words in each octave from either end.
 const PER_OCTAVE: u32 = 256;

@@ -4,9 +4,6 @@
 mod check;
 mod count;
 mod flash;
-#[allow(unreachable_pub)] // the firmware has it too
-#[path = "../../firmware/cost/src/peers/formulas.rs"]
-mod formulas;
 mod goals;
 mod images;
 mod integers;
@@ -14,18 +11,18 @@ mod linker;
 mod measure;
 mod page;
 mod peers;
-mod plot;
+mod plots;
 mod row;
 mod study;
 
 use crate::args::Cost;
 use crate::boards::BOARDS;
 use crate::failure::{Failure, Result, While};
-use crate::output;
 use crate::report::Report;
 use crate::run::bar;
 use images::{SUBJECTS, compiler};
 use measure::Measured;
+use plot::output;
 use rayon::prelude::*;
 use study::Study;
 
@@ -75,7 +72,7 @@ pub(crate) fn run(options: &Cost, report: &mut Report) -> Result<()> {
     add(CSV, &row::csv(&rows).while_("writing the table")?)?;
     let page = page::markdown(&all, &rows, &goals, &rustc).while_("writing the page")?;
     add(PAGE, &page)?;
-    let plot = plot::draw(&rows).map_err(|e| Failure(format!("drawing: {e}")))?;
+    let plot = plots::draw(&rows).map_err(|e| Failure(format!("drawing: {e}")))?;
     add(PLOT, &plot)?;
     staging.publish().map_err(Failure)?;
     for goal in &goals {

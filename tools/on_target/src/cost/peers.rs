@@ -1,9 +1,9 @@
 //! Errors of the peers, by the code that the boards count.
 
-use super::formulas::{EXPONENT, Libm, Maths, Micromath, Plane, Space};
-use crate::accuracy::reference::{self, Direction, Id};
-use crate::errors::{Errors, of_angle, of_map, of_quantile};
-use crate::inputs::{Uniforms, angles};
+use kit::accuracy::reference::{self, Direction, Id};
+use kit::formulas::{EXPONENT, Libm, Maths, Micromath, Plane, Space};
+use kit::study::errors::{Errors, of_angle, of_map, of_quantile};
+use kit::study::inputs::{Uniforms, angles};
 
 /// Uniforms in each octave that an error is the worst of, as in `examples/accuracy_cost`.
 const PER_OCTAVE: u32 = 64;

@@ -1,4 +1,4 @@
-//! Who answers requests for hashes: see `examples/firmware/common/src/answer.rs`.
+//! Who answers requests for hashes: see `tests/kit/src/answer.rs`.
 
 use crate::args::Hashes;
 use crate::boards::Board;

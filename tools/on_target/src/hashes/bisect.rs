@@ -4,7 +4,7 @@ use super::ask::Asked;
 use super::expected::parse;
 use crate::difference::first;
 use crate::failure::{Failure, Result};
-use coslobe_common::{CHECKPOINTS, Stream};
+use kit::{CHECKPOINTS, Stream};
 
 /// Blocks that are hashed at once.
 const BLOCKS: u32 = 64;
@@ -89,7 +89,7 @@ fn is_input(line: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coslobe_common::Hash;
+    use kit::Hash;
 
     /// Results that are their own index, but for one.
     struct Fake {

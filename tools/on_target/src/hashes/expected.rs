@@ -3,7 +3,7 @@
 use crate::build::workspace;
 use crate::failure::{Failure, Result, While};
 use crate::types::TYPES;
-use coslobe_common::Stream;
+use kit::Stream;
 use std::fs;
 use std::path::PathBuf;
 

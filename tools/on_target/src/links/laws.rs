@@ -6,8 +6,8 @@ use super::{Shown, caught, ensure};
 use crate::boards::Board;
 use crate::failure::Result;
 use crate::types::{FIXED, FIXED16, TYPES, laws};
-use coslobe_common::LAWS;
 use indicatif::ProgressBar;
+use kit::LAWS;
 
 /// The types to look at: all where there is an FPU, elsewhere those that firmware takes first.
 fn types(board: &Board) -> &'static [&'static str] {

@@ -1,6 +1,7 @@
 //! Which source files an image's code comes from, functions that were inlined included.
 
 use super::elf::Image;
+use crate::build::root;
 use crate::failure::{Failure, Result, While};
 use addr2line::Loader;
 use std::collections::BTreeMap;
@@ -9,19 +10,20 @@ use std::path::Path;
 /// Bytes of code by the library's file, its path below `src/`. A byte counts for the file of every function
 /// that is inlined there, one around the other.
 pub(super) fn bytes_by_file(path: &Path, image: &Image) -> Result<BTreeMap<String, u64>> {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/src/");
+    let root = root().join("src/");
+    let root = root.to_string_lossy();
     bytes_by(path, image, |file, _| {
-        file.strip_prefix(root).map(str::to_owned)
+        file.strip_prefix(&*root).map(str::to_owned)
     })
 }
 
-/// Bytes of code by the functions of the files below `root`, a folder of this repository; `file::function`.
+/// Bytes of code by the functions of the files below `folder`, a folder of this repository; `file::function`.
 pub(super) fn bytes_by_function(
     path: &Path,
     image: &Image,
-    root: &str,
+    folder: &str,
 ) -> Result<BTreeMap<String, u64>> {
-    let root = format!("{}/{root}/", env!("CARGO_MANIFEST_DIR"));
+    let root = format!("{}/{folder}/", root().display());
     bytes_by(path, image, |file, function| {
         let file = file.strip_prefix(&root)?;
         Some(format!("{file}::{}", last_part(function)))

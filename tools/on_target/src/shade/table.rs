@@ -1,5 +1,6 @@
 //! `docs/shade_firmware.md`: what small scenes cost on a board.
 
+use crate::build::root;
 use crate::difference::same;
 use crate::failure::{Failure, Result, While};
 use crate::report::Report;
@@ -38,7 +39,7 @@ qemu-system-arm); without `--write` compared.
 ";
 
 fn path() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/shade_firmware.md")
+    root().join("docs/shade_firmware.md")
 }
 
 /// The compiler that the figures come from: they move with it.

@@ -3,8 +3,8 @@
 use super::images::SUBJECTS;
 use super::row::Row;
 use crate::boards::BOARDS;
-use crate::canvas::{INK, bold, heading, px, svg};
-use crate::panel::{self, PANEL, Point};
+use plot::canvas::{INK, bold, heading, px, svg};
+use plot::panel::{self, PANEL, Point};
 use plotters::prelude::*;
 use std::error::Error;
 
