@@ -1,6 +1,6 @@
 //! An atlas of the laws: samples each of them, checks the samples, and draws a page.
 //!
-//! `cargo run --release --example atlas` prints a table and writes `atlas/index.html`.
+//! `cargo run --release -p atlas` prints a table and writes `atlas/index.html`.
 
 mod args;
 mod catalog;

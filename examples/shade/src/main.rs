@@ -1,7 +1,7 @@
 //! A path tracer on `coslobe` that simulates only the effects that its scene calls for.
 //!
 //! ```text
-//! cargo run --release --example shade -- examples/shade/scenes/all.toml -o all.png
+//! cargo run --release -p shade -- examples/shade/scenes/all.toml -o all.png
 //! ```
 
 mod args;

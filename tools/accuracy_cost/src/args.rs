@@ -23,7 +23,7 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with = "errors")]
     pub(crate) keep_errors: bool,
 
-    /// Take them from FILE: such a file, or the bare rows that tests/accuracy/rows.rs writes.
+    /// Take them from FILE: such a file, or the bare rows that tests/kit/src/accuracy/rows.rs writes.
     #[arg(long, value_name = "FILE")]
     pub(crate) errors: Option<PathBuf>,
 

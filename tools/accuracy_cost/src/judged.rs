@@ -98,7 +98,7 @@ pub(crate) fn read(path: &Path) -> Result<(Vec<Row>, Option<Vec<Quantiles>>), St
     let explain = |e: &dyn std::fmt::Display| {
         format!(
             "{}: {e}; expected {FILE} as a run without --keep-errors writes it, or the rows of \
-             tests/accuracy/rows.rs as JSON",
+             tests/kit/src/accuracy/rows.rs as JSON",
             path.display()
         )
     };

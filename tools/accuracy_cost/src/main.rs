@@ -2,10 +2,10 @@
 //! law in every number type, and of what others would write instead.
 //!
 //! ```text
-//! cargo run --release --example accuracy_cost                    # strided errors: some minutes
-//! cargo run --release --example accuracy_cost -- --stride 1 --samples 3000000   # every f32: hours
-//! cargo run --release --example accuracy_cost -- --keep-errors   # costs alone, errors as they stand
-//! cargo run --release --example accuracy_cost -- --check         # counts twice, expects no difference
+//! cargo run --release -p accuracy_cost                    # strided errors: some minutes
+//! cargo run --release -p accuracy_cost -- --stride 1 --samples 3000000   # every f32: hours
+//! cargo run --release -p accuracy_cost -- --keep-errors   # costs alone, errors as they stand
+//! cargo run --release -p accuracy_cost -- --check         # counts twice, expects no difference
 //! ```
 //!
 //! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the

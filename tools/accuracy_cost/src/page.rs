@@ -77,7 +77,7 @@ fn head(out: &mut String, about: &About) -> std::fmt::Result {
     writeln!(
         out,
         "# What accuracy costs\n\n\
-         Written by `cargo run --release --example accuracy_cost`; do not edit. The same rows for a machine are in\n\
+         Written by `cargo run --release -p accuracy_cost`; do not edit. The same rows for a machine are in\n\
          `docs/accuracy_cost.csv`, the errors at full length in `docs/accuracy_errors.json`, the pictures in\n\
          `docs/accuracy_cost.svg` (error against instructions) and `docs/stability.svg` (error against u).\n\n\
          Instructions and times on {}; compiled by {}, {}; counted by {}.\n\n\

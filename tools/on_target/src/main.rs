@@ -2,16 +2,16 @@
 //! with this machine, bit by bit; shows of release images what is not linked into them.
 //!
 //! ```text
-//! cargo run --release --example on_target -- run             # every law × type on every board
-//! cargo run --release --example on_target -- hashes          # samples and evaluations: the first thousands
-//! cargo run --release --example on_target -- hashes --full   # all of them: hours
-//! cargo run --release --example on_target -- hashes --bless  # writes the expected hashes
-//! cargo run --release --example on_target -- links           # proofs at link time
-//! cargo run --release --example on_target -- c               # the C program; --features fixed: its integers too
-//! cargo run --release --example on_target -- self-test       # the power-on check, with planted faults
-//! cargo run --release --example on_target -- cost            # instructions, flash, stack: docs/firmware_cost.*
-//! cargo run --release --example on_target -- cost --check    # a few of them twice, against the table
-//! cargo run --release --example on_target -- shade           # small scenes rendered on a Cortex-M4F
+//! cargo run --release -p on_target -- run             # every law × type on every board
+//! cargo run --release -p on_target -- hashes          # samples and evaluations: the first thousands
+//! cargo run --release -p on_target -- hashes --full   # all of them: hours
+//! cargo run --release -p on_target -- hashes --bless  # writes the expected hashes
+//! cargo run --release -p on_target -- links           # proofs at link time
+//! cargo run --release -p on_target -- c               # the C program
+//! cargo run --release -p on_target -- self-test       # the power-on check, with planted faults
+//! cargo run --release -p on_target -- cost            # instructions, flash, stack: docs/firmware_cost.*
+//! cargo run --release -p on_target -- cost --check    # a few of them twice, against the table
+//! cargo run --release -p on_target -- shade           # small scenes rendered on a Cortex-M4F
 //! ```
 //!
 //! Needs QEMU (Debian: qemu-system-arm, qemu-system-misc) and, for `run`, defmt-print. What is missing is

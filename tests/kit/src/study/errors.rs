@@ -7,7 +7,7 @@ use crate::accuracy::reference::Id;
 use crate::accuracy::wide::Wide;
 use std::collections::BTreeMap;
 
-/// The tail: p at most this, as `tests/accuracy` has it.
+/// The tail: p at most this, as `tests/kit/src/accuracy` has it.
 const TAIL: f64 = 1.0 / (1 << 20) as f64;
 
 /// Worst relative errors by decade ⌊log₁₀ p⌋ of the nearer tail p, and in the tail.

@@ -63,7 +63,7 @@ fn head(out: &mut String, rows: &[Row], rustc: &str) -> Result {
     writeln!(
         out,
         "# What it costs on small processors\n\n\
-         Written by `cargo run --release --example on_target -- cost`; do not edit. The same rows for a machine, joined to the\n\
+         Written by `cargo run --release -p on_target -- cost`; do not edit. The same rows for a machine, joined to the\n\
          errors of the [accuracy study](accuracy_cost.md), are in `docs/firmware_cost.csv`; error against instructions, with\n\
          the front that nothing beats, is in `docs/firmware_cost.svg`.\n\n\
          Compiled by {rustc} with opt-level 3, fat LTO and one codegen unit. Instructions, not cycles.\n\n\

@@ -5,7 +5,7 @@ use kit::formulas::{EXPONENT, Libm, Maths, Micromath, Plane, Space};
 use kit::study::errors::{Errors, of_angle, of_map, of_quantile};
 use kit::study::inputs::{Uniforms, angles};
 
-/// Uniforms in each octave that an error is the worst of, as in `examples/accuracy_cost`.
+/// Uniforms in each octave that an error is the worst of, as in `tools/accuracy_cost`.
 const PER_OCTAVE: u32 = 64;
 
 /// The largest relative error of a peer's operation; of a `sample` that of (cos θ, sin θ).

@@ -48,7 +48,7 @@ impl Study {
             known.max_relative = worse(known.max_relative, line.max_relative);
         }
         if all.is_empty() {
-            return Err("no rows; expected those of `--example accuracy_cost`".to_owned());
+            return Err("no rows; expected those of `-p accuracy_cost`".to_owned());
         }
         Ok(Study(all))
     }
