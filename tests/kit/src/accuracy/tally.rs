@@ -150,10 +150,11 @@ impl Stat {
 
     fn keep(&mut self, input: u64) {
         if let Err(at) = self.misrounded.binary_search(&input)
-            && at < KEPT {
-                self.misrounded.insert(at, input);
-                self.misrounded.truncate(KEPT);
-            }
+            && at < KEPT
+        {
+            self.misrounded.insert(at, input);
+            self.misrounded.truncate(KEPT);
+        }
     }
 
     fn merge(&mut self, other: &Self) {

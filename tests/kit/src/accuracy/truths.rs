@@ -185,9 +185,10 @@ impl<F: Format> Truths<F> {
                 }
                 self.0[k].put(i, want, terms, || fine(k));
                 if self.0[k].tie[i]
-                    && let Some(beyond) = beyond_tie(law, a, k, self.0[k].value[i].near()) {
-                        self.0[k].break_tie(i, beyond);
-                    }
+                    && let Some(beyond) = beyond_tie(law, a, k, self.0[k].value[i].near())
+                {
+                    self.0[k].break_tie(i, beyond);
+                }
             }
             if let Id::CosPower(_) = law {
                 self.0[1].absolute_below_one(i);

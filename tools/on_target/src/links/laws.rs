@@ -128,7 +128,8 @@ fn needs(law: &str, number: &str) -> &'static [&'static str] {
 
 /// Whether a file below `src/` is a kernel of that name.
 fn is(file: &str, stem: &str) -> bool {
-    file.contains("kernel/") && file.ends_with(&format!("/{stem}.rs"))
+    (file.starts_with("arithmetic/") || file.contains("kernel/"))
+        && file.ends_with(&format!("/{stem}.rs"))
 }
 
 /// Whether a sampler of the law may hold code of a file that is not the law's own.
@@ -151,15 +152,15 @@ mod tests {
     #[test]
     fn what_belongs_to_whom() {
         assert_eq!(file("SphereShell"), "sphere_shell");
-        assert!(may_hold("Disk", "kernel/fast/kepler.rs"));
-        assert!(may_hold("Lambert", "kernel/fast/root.rs"));
+        assert!(may_hold("Disk", "arithmetic/fast/kepler.rs"));
+        assert!(may_hold("Lambert", "arithmetic/fast/root.rs"));
         assert!(may_hold("Lambert", "law/mod.rs"));
         for file in [
-            "kernel/kepler.rs",
-            "kernel/double/disk.rs",
-            "kernel/atan.rs",
-            "kernel/cbrt.rs",
-            "kernel/fast/power.rs",
+            "arithmetic/native/kepler.rs",
+            "arithmetic/double/disk.rs",
+            "arithmetic/native/atan.rs",
+            "arithmetic/native/cbrt.rs",
+            "arithmetic/fast/power.rs",
             "fixed/kernel/log.rs",
             "fixed/cos_power.rs",
             "law/disk.rs",
