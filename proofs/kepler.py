@@ -28,7 +28,7 @@ class Kernel:
         cbrt = [float(rows[f"cbrt {place}", form.name]["before_rounding"]) for place in PLACES]
         # Up to each place; below 1 the ulp is half.
         self.cbrt = [max(cbrt[-1] / 2, *cbrt[:i + 1]) for i in range(len(cbrt))]
-        text = (ROOT / f"src/number/{form.name}.rs").read_text()
+        text = (ROOT / f"src/arithmetic/native/{form.name}.rs").read_text()
         self.negligible = 3 * int(re.search(r"const NEGLIGIBLE: f\d\d = power_of_two\((-\d+)\);", text)[1])
 
     def roots(self, tape, p, high):

@@ -100,7 +100,7 @@ def at_angle(tape, a, far):
 
 @lru_cache
 def negligible(form):
-    text = (ROOT / f"src/number/{form.name}.rs").read_text()
+    text = (ROOT / f"src/arithmetic/native/{form.name}.rs").read_text()
     return int(re.search(r"const NEGLIGIBLE: f\d\d = power_of_two\((-\d+)\);", text)[1])
 
 

@@ -1,9 +1,9 @@
 //! The point before it was normalised.
 
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::tier::{Holds, Margin};
 use crate::number::Real;
 use crate::{CosSin, Law, Planar, Spatial, uniform};

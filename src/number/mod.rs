@@ -1,7 +1,7 @@
 //! Number types: a format and an accuracy tier at once, one a file.
 
-pub(crate) mod f32;
-pub(crate) mod f64;
+mod f32;
+mod f64;
 mod fast;
 mod precise;
 

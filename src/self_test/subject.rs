@@ -1,6 +1,6 @@
 //! What is checked: something that draws, and says where in the law a sample lies.
 
-use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::float::Float;
 use crate::{CosSin, Law, Planar, Real, Spatial};
 use core::fmt;
 use core::marker::PhantomData;

@@ -1,15 +1,16 @@
 //! The formulas' kernels in double-double.
 
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::f64::power_of_two;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::tier::Holds;
-use crate::number::f64::power_of_two;
 use crate::{CosSin, Tails};
 
 /// A power that comes this near to an `f64` is one: c³ of a short c must be met exactly, since it can

@@ -3,7 +3,7 @@
 use super::Double;
 use super::arith::{add_raw, add_smaller, mul_raw, normalise, scaled, square_raw};
 use super::coefficients::{ATANH, COTH, LN_2, LN_2_SHORT};
-use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::pair::Pair;
 
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as 2 atanh(f/(2 + f)).

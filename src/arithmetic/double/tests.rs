@@ -4,7 +4,7 @@ extern crate std;
 
 use super::series::Series;
 use super::{Double, angle, arith, coefficients, disk, log_exp, root};
-use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::pair::Pair;
 use std::string::String;
 use std::vec::Vec;

@@ -1,14 +1,15 @@
 //! The formulas' arithmetic in `Fast<f32>`.
 
+use super::Fast;
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::fast::{angle, kepler, power, root};
 use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::native::trig;
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::arithmetic::scalar::Scalar;
-use crate::number::Fast;
 use crate::{CosSin, Tails};
 
 /// What rounding took does not count here: a number is its own wide type.

@@ -1,6 +1,6 @@
 //! An unevaluated sum of two numbers, for the few places where one is not enough.
 
-use crate::arithmetic::native::format::Native;
+use super::float::Float;
 
 /// The value `hi + lo`, `lo` small against `hi`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -9,7 +9,7 @@ pub struct Pair<T> {
     pub(crate) lo: T,
 }
 
-impl<T: Native> Pair<T> {
+impl<T: Float> Pair<T> {
     #[inline(always)]
     pub(crate) fn exact(hi: T) -> Self {
         Pair { hi, lo: T::ZERO }

@@ -2,11 +2,11 @@
 //! then exact to all digits.
 
 use super::{DIGITS, Scaled};
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::arithmetic::scalar::Scalar;
 use crate::{CosSin, Tails};

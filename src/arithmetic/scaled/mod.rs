@@ -8,12 +8,10 @@ mod tests;
 use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, root};
 use crate::arithmetic::kernel::Wide;
+use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::Holds;
-use crate::number::Precise;
-use crate::number::f64::power_of_two;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -263,11 +261,5 @@ impl Wide<Scaled> for Scaled {
     }
     fn sqrt(self) -> Self {
         Scalar::sqrt(self)
-    }
-}
-
-impl Holds<Precise<f64>> for Scaled {
-    fn of(x: Precise<f64>) -> Self {
-        Self::new(Pair::exact(x.0), 0)
     }
 }

@@ -4,12 +4,12 @@ use super::Precise;
 use crate::arithmetic::double::Double;
 use crate::arithmetic::double::nearest::Grid;
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::uniform::f32::parts_of_turn;
 use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
-use crate::number::f64::power_of_two;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 

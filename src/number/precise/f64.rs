@@ -4,13 +4,13 @@ use super::Precise;
 use crate::arithmetic::double::Double;
 use crate::arithmetic::double::nearest::{Grid, is_moderate};
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::uniform::f64::parts_of_turn;
 use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::scaled::Scaled;
 use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
-use crate::number::f64::power_of_two;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -24,6 +24,12 @@ impl Holds<Precise<f64>> for Double {
         } else {
             f64::NAN
         })
+    }
+}
+
+impl Holds<Precise<f64>> for Scaled {
+    fn of(x: Precise<f64>) -> Self {
+        Self::new(Pair::exact(x.0), 0)
     }
 }
 
