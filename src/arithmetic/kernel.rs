@@ -4,14 +4,14 @@ use super::constants::Constants;
 use super::scalar::Scalar;
 use crate::{CosSin, Tails};
 
-/// An intermediate result with what rounding took from it, as far as the arithmetic cares.
+/// An intermediate result; where the arithmetic keeps it, with what rounding took from it.
 pub trait Wide<W>: Copy {
     fn exact(x: W) -> Self;
     fn value(self) -> W;
     /// The value as far as one number holds it, without arithmetic.
     fn leading(self) -> W;
     /// a + b.
-    fn sum(a: W, b: W) -> Self;
+    fn two_sum(a: W, b: W) -> Self;
     fn neg(self) -> Self;
     /// First-order product: carries the factors' low parts but not the rounding of the product.
     fn times(self, b: Self) -> Self;
@@ -71,9 +71,9 @@ pub trait Kernel: Scalar {
     /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
     fn disk_tail_at_angle(a: Self) -> Self;
     /// Nearer tail of the disk's law, from the smaller of cos θ and |sin θ|.
-    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self;
+    fn disk_tail_at_direction(cos: Self, sin: Self) -> Self;
     /// (cos θ, |sin θ|) of the disk's law at nearer tail p.
-    fn disk_pair_at_tail(p: Self) -> CosSin<Self>;
+    fn disk_direction_at_tail(p: Self) -> CosSin<Self>;
     /// |θ| of the disk's law at nearer tail p.
     fn disk_angle_at_tail(p: Self) -> Self;
 
@@ -94,4 +94,49 @@ pub trait Kernel: Scalar {
     }
     /// (cos θ, sin θ) with cosⁿθ = the upper of the tails p.
     fn power_warp(p: Tails<Self>, n: Self::Wide) -> CosSin<Self>;
+}
+
+/// An arithmetic that keeps nothing beside its numbers, since they have digits to spare or since it
+/// does not aim that high, is its own wide type.
+impl<W: Kernel<Wide = W>> Wide<W> for W {
+    #[inline(always)]
+    fn exact(x: W) -> W {
+        x
+    }
+    #[inline(always)]
+    fn value(self) -> W {
+        self
+    }
+    #[inline(always)]
+    fn leading(self) -> W {
+        self
+    }
+    #[inline(always)]
+    fn two_sum(a: W, b: W) -> W {
+        a + b
+    }
+    #[inline(always)]
+    fn neg(self) -> W {
+        -self
+    }
+    #[inline(always)]
+    fn times(self, b: W) -> W {
+        self * b
+    }
+    #[inline(always)]
+    fn mul(self, b: W) -> W {
+        self * b
+    }
+    #[inline(always)]
+    fn add(self, b: W) -> W {
+        self + b
+    }
+    #[inline(always)]
+    fn div(self, b: W) -> W {
+        self / b
+    }
+    #[inline(always)]
+    fn sqrt(self) -> W {
+        Scalar::sqrt(self)
+    }
 }

@@ -4,8 +4,8 @@
 pub(crate) mod constants;
 pub(crate) mod double;
 pub(crate) mod fast;
+pub(crate) mod holds;
 pub(crate) mod kernel;
 pub(crate) mod native;
 pub(crate) mod scalar;
 pub(crate) mod scaled;
-pub(crate) mod tier;

@@ -4,7 +4,9 @@ use super::Spatial;
 use super::formulas::{Fixed, Formulas, Own, SolidAngle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::law::support::{
+    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -79,7 +81,7 @@ impl<W: Kernel> Formulas<W> for Ball {
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
         let p = at.cos * at.cos * at.cos * W::CONSTANTS.two_over_pi.value();
-        spatial_pair(at, p)
+        spatial_direction(at, p)
     }
 
     #[inline]
@@ -95,12 +97,12 @@ impl<W: Kernel> Formulas<W> for Ball {
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = s2 * (W::ONE + c2);
-        spatial_pair_tails(at, Tails::from_both(lower, c2 * c2))
+        spatial_direction_tails(at, Tails::from_both(lower, c2 * c2))
     }
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, W::HALF / (at.cos * at.cos))
+        spatial_direction(at, W::HALF / (at.cos * at.cos))
     }
 }
 

@@ -4,11 +4,12 @@
 //! of a number type's tier, and their results are rounded to it.
 
 use super::{Law, Spatial};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::tier::{Holds, Margin};
-use crate::law::select::into_support;
+use crate::law::support::into_support;
 use crate::number::Real;
+use crate::number::tier::Margin;
 use crate::{CosSin, Moments, Tails};
 
 /// What [`Law`] promises, in working arithmetic.
@@ -43,18 +44,18 @@ pub trait Fixed: Own + Copy {
 /// A law as the arithmetics of a number type see it.
 pub trait In<T: Real> {
     type Quick: Formulas<T::Quick>;
-    type Work: Formulas<T::Work>;
+    type Accurate: Formulas<T::Accurate>;
     fn quick(&self) -> Self::Quick;
-    fn work(&self) -> Self::Work;
+    fn accurate(&self) -> Self::Accurate;
     fn moments(&self) -> Moments<T>;
 }
 
 impl<T: Real, L> In<T> for L
 where
-    L: Fixed + Formulas<T::Quick> + Formulas<T::Work>,
+    L: Fixed + Formulas<T::Quick> + Formulas<T::Accurate>,
 {
     type Quick = L;
-    type Work = L;
+    type Accurate = L;
 
     #[inline(always)]
     fn quick(&self) -> L {
@@ -62,13 +63,13 @@ where
     }
 
     #[inline(always)]
-    fn work(&self) -> L {
+    fn accurate(&self) -> L {
         *self
     }
 
     #[inline]
     fn moments(&self) -> Moments<T> {
-        L::moments::<T::Base>().map(T::of_base)
+        L::moments::<T::Base>().map(T::from_base)
     }
 }
 
@@ -77,8 +78,8 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,
-            || [self.quick().pdf(Holds::of(theta))],
-            || [self.work().pdf(Holds::of(theta))],
+            || [self.quick().pdf(Holds::from_number(theta))],
+            || [self.accurate().pdf(Holds::from_number(theta))],
         );
         p
     }
@@ -87,18 +88,18 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn ln_pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::OfOne,
-            || [self.quick().ln_pdf(Holds::of(theta))],
-            || [self.work().ln_pdf(Holds::of(theta))],
+            || [self.quick().ln_pdf(Holds::from_number(theta))],
+            || [self.accurate().ln_pdf(Holds::from_number(theta))],
         );
         p
     }
 
     #[inline]
     fn tails(&self, theta: T) -> Tails<T> {
-        Tails::of_array(T::rounded(
+        Tails::from_array(T::rounded(
             Margin::Relative,
-            || self.quick().tails(Holds::of(theta)).to_array(),
-            || self.work().tails(Holds::of(theta)).to_array(),
+            || self.quick().tails(Holds::from_number(theta)).to_array(),
+            || self.accurate().tails(Holds::from_number(theta)).to_array(),
         ))
     }
 
@@ -106,31 +107,35 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn density(&self, at: CosSin<T>) -> T {
         let [p] = T::rounded(
             Margin::Relative,
-            || [self.quick().density(Holds::of_pair(at))],
-            || [self.work().density(Holds::of_pair(at))],
+            || [self.quick().density(Holds::from_components(at))],
+            || [self.accurate().density(Holds::from_components(at))],
         );
         p
     }
 
     #[inline]
     fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
-        CosSin::of_array(T::rounded(
+        CosSin::from_array(T::rounded(
             Margin::Relative,
-            || self.quick().warp_tails(Holds::of_tails(p)).to_array(),
-            || self.work().warp_tails(Holds::of_tails(p)).to_array(),
+            || self.quick().warp_tails(Holds::from_tails(p)).to_array(),
+            || self.accurate().warp_tails(Holds::from_tails(p)).to_array(),
         ))
     }
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
-        Tails::of_array(T::rounded(
+        Tails::from_array(T::rounded(
             Margin::Relative,
             || {
                 self.quick()
-                    .unwarp_tails(Holds::of_direction(at))
+                    .unwarp_tails(Holds::from_direction(at))
                     .to_array()
             },
-            || self.work().unwarp_tails(Holds::of_direction(at)).to_array(),
+            || {
+                self.accurate()
+                    .unwarp_tails(Holds::from_direction(at))
+                    .to_array()
+            },
         ))
     }
 
@@ -138,8 +143,8 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn quantile_tails(&self, p: Tails<T>) -> T {
         let [theta] = T::rounded(
             Margin::Relative,
-            || [self.quick().quantile_tails(Holds::of_tails(p))],
-            || [self.work().quantile_tails(Holds::of_tails(p))],
+            || [self.quick().quantile_tails(Holds::from_tails(p))],
+            || [self.accurate().quantile_tails(Holds::from_tails(p))],
         );
         into_support(theta)
     }
@@ -148,8 +153,8 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn lambert_weight(&self, at: CosSin<T>) -> T {
         let [weight] = T::rounded(
             Margin::Relative,
-            || [self.quick().lambert_weight(Holds::of_pair(at))],
-            || [self.work().lambert_weight(Holds::of_pair(at))],
+            || [self.quick().lambert_weight(Holds::from_components(at))],
+            || [self.accurate().lambert_weight(Holds::from_components(at))],
         );
         weight
     }
@@ -163,14 +168,14 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
 impl<T: Real, L: Own + In<T>> Spatial<T> for L
 where
     L::Quick: SolidAngle<T::Quick>,
-    L::Work: SolidAngle<T::Work>,
+    L::Accurate: SolidAngle<T::Accurate>,
 {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,
-            || [self.quick().pdf_solid_angle(Holds::of(theta))],
-            || [self.work().pdf_solid_angle(Holds::of(theta))],
+            || [self.quick().pdf_solid_angle(Holds::from_number(theta))],
+            || [self.accurate().pdf_solid_angle(Holds::from_number(theta))],
         );
         p
     }

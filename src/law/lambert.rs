@@ -4,7 +4,9 @@ use super::Spatial;
 use super::formulas::{Fixed, Formulas, Own, SolidAngle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::law::support::{
+    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -73,7 +75,7 @@ impl<W: Kernel> Formulas<W> for Lambert {
 
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, at.cos * W::CONSTANTS.recip_pi.value())
+        spatial_direction(at, at.cos * W::CONSTANTS.recip_pi.value())
     }
 
     #[inline]
@@ -87,12 +89,12 @@ impl<W: Kernel> Formulas<W> for Lambert {
     #[inline]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
-        spatial_pair_tails(at, Tails::from_both(s2, c2))
+        spatial_direction_tails(at, Tails::from_both(s2, c2))
     }
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, W::ONE)
+        spatial_direction(at, W::ONE)
     }
 }
 

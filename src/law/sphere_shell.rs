@@ -4,7 +4,9 @@ use super::Spatial;
 use super::formulas::{Fixed, Formulas, Own, SolidAngle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::law::support::{
+    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -81,7 +83,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
         let p = at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value();
-        spatial_pair(at, p)
+        spatial_direction(at, p)
     }
 
     #[inline]
@@ -98,7 +100,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = lower_tail(at.cos, s2);
-        spatial_pair_tails(at, Tails::from_both(lower, c2 * at.cos.abs()))
+        spatial_direction_tails(at, Tails::from_both(lower, c2 * at.cos.abs()))
     }
 
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
@@ -118,7 +120,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, W::int(2) / (W::int(3) * at.cos.abs()))
+        spatial_direction(at, W::int(2) / (W::int(3) * at.cos.abs()))
     }
 }
 

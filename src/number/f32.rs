@@ -1,10 +1,11 @@
 //! `f32` as a number type: its formulas run in its own arithmetic, and nothing is rounded after them.
 
 use super::Real;
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f32 as uniform;
-use crate::arithmetic::tier::{Holds, Margin, Tier};
+use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -12,24 +13,24 @@ impl Real for f32 {}
 
 impl Holds<f32> for f32 {
     #[inline(always)]
-    fn of(x: f32) -> f32 {
+    fn from_number(x: f32) -> f32 {
         x
     }
 
     #[inline(always)]
-    fn of_tails(p: Tails<f32>) -> Tails<f32> {
+    fn from_tails(p: Tails<f32>) -> Tails<f32> {
         p
     }
 
     #[inline(always)]
-    fn of_direction(at: CosSin<f32>) -> CosSin<f32> {
+    fn from_direction(at: CosSin<f32>) -> CosSin<f32> {
         at
     }
 }
 
 impl Tier for f32 {
     type Quick = f32;
-    type Work = f32;
+    type Accurate = f32;
     type Base = f32;
 
     const UNIT_SLACK: f32 = power_of_two(-18);
@@ -40,9 +41,9 @@ impl Tier for f32 {
     fn rounded<const N: usize>(
         _: Margin,
         _: impl FnOnce() -> [f32; N],
-        fine: impl FnOnce() -> [f32; N],
+        accurate: impl FnOnce() -> [f32; N],
     ) -> [f32; N] {
-        fine()
+        accurate()
     }
 
     #[inline(always)]
@@ -51,7 +52,7 @@ impl Tier for f32 {
     }
 
     #[inline(always)]
-    fn of_base(x: f32) -> f32 {
+    fn from_base(x: f32) -> f32 {
         x
     }
 
@@ -66,12 +67,12 @@ impl Tier for f32 {
     }
 
     #[inline]
-    fn tails_of(bits: u64) -> Tails<f32> {
+    fn tails_from_bits(bits: u64) -> Tails<f32> {
         Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 63 != 0)
     }
 
     #[inline]
-    fn turn_of(bits: u32) -> CosSin<f32> {
+    fn turn_from_bits(bits: u32) -> CosSin<f32> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

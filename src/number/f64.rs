@@ -1,10 +1,11 @@
 //! `f64` as a number type: its formulas run in its own arithmetic, and nothing is rounded after them.
 
 use super::Real;
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f64 as uniform;
-use crate::arithmetic::tier::{Holds, Margin, Tier};
+use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -12,24 +13,24 @@ impl Real for f64 {}
 
 impl Holds<f64> for f64 {
     #[inline(always)]
-    fn of(x: f64) -> f64 {
+    fn from_number(x: f64) -> f64 {
         x
     }
 
     #[inline(always)]
-    fn of_tails(p: Tails<f64>) -> Tails<f64> {
+    fn from_tails(p: Tails<f64>) -> Tails<f64> {
         p
     }
 
     #[inline(always)]
-    fn of_direction(at: CosSin<f64>) -> CosSin<f64> {
+    fn from_direction(at: CosSin<f64>) -> CosSin<f64> {
         at
     }
 }
 
 impl Tier for f64 {
     type Quick = f64;
-    type Work = f64;
+    type Accurate = f64;
     type Base = f64;
 
     const UNIT_SLACK: f64 = power_of_two(-34);
@@ -40,9 +41,9 @@ impl Tier for f64 {
     fn rounded<const N: usize>(
         _: Margin,
         _: impl FnOnce() -> [f64; N],
-        fine: impl FnOnce() -> [f64; N],
+        accurate: impl FnOnce() -> [f64; N],
     ) -> [f64; N] {
-        fine()
+        accurate()
     }
 
     #[inline(always)]
@@ -51,7 +52,7 @@ impl Tier for f64 {
     }
 
     #[inline(always)]
-    fn of_base(x: f64) -> f64 {
+    fn from_base(x: f64) -> f64 {
         x
     }
 
@@ -67,12 +68,12 @@ impl Tier for f64 {
     }
 
     #[inline]
-    fn tails_of(bits: u128) -> Tails<f64> {
+    fn tails_from_bits(bits: u128) -> Tails<f64> {
         Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 127 != 0)
     }
 
     #[inline]
-    fn turn_of(bits: u64) -> CosSin<f64> {
+    fn turn_from_bits(bits: u64) -> CosSin<f64> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

@@ -2,8 +2,9 @@
 
 use crate::arithmetic::fast::kernel::fast;
 use crate::arithmetic::fast::uniform;
-use crate::arithmetic::tier::{Holds, Margin, Tier};
+use crate::arithmetic::holds::Holds;
 use crate::number::Real;
+use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -11,17 +12,17 @@ pub use crate::arithmetic::fast::Fast;
 
 impl Holds<Fast<f32>> for Fast<f32> {
     #[inline(always)]
-    fn of(x: Self) -> Self {
+    fn from_number(x: Self) -> Self {
         x
     }
 
     #[inline(always)]
-    fn of_tails(p: Tails<Self>) -> Tails<Self> {
+    fn from_tails(p: Tails<Self>) -> Tails<Self> {
         p
     }
 
     #[inline(always)]
-    fn of_direction(at: CosSin<Self>) -> CosSin<Self> {
+    fn from_direction(at: CosSin<Self>) -> CosSin<Self> {
         at
     }
 }
@@ -37,7 +38,7 @@ impl From<Fast<f32>> for f64 {
 
 impl Tier for Fast<f32> {
     type Quick = Self;
-    type Work = Self;
+    type Accurate = Self;
     type Base = f32;
 
     const UNIT_SLACK: f32 = 1.0 / 1024.0;
@@ -48,9 +49,9 @@ impl Tier for Fast<f32> {
     fn rounded<const N: usize>(
         _: Margin,
         _: impl FnOnce() -> [Self; N],
-        fine: impl FnOnce() -> [Self; N],
+        accurate: impl FnOnce() -> [Self; N],
     ) -> [Self; N] {
-        fine()
+        accurate()
     }
 
     #[inline(always)]
@@ -59,7 +60,7 @@ impl Tier for Fast<f32> {
     }
 
     #[inline(always)]
-    fn of_base(x: f32) -> Self {
+    fn from_base(x: f32) -> Self {
         Fast(x)
     }
 
@@ -74,13 +75,13 @@ impl Tier for Fast<f32> {
     }
 
     #[inline]
-    fn tails_of(bits: u32) -> Tails<Self> {
+    fn tails_from_bits(bits: u32) -> Tails<Self> {
         let (p, is_upper) = uniform::tail(bits);
         Tails::from_nearer(Fast(p), is_upper)
     }
 
     #[inline]
-    fn turn_of(bits: u32) -> CosSin<Self> {
+    fn turn_from_bits(bits: u32) -> CosSin<Self> {
         fast(uniform::turn(bits))
     }
 }

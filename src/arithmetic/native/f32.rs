@@ -104,7 +104,7 @@ impl Float for f32 {
     }
 
     #[inline(always)]
-    fn of_i32(n: i32) -> f32 {
+    fn from_i32(n: i32) -> f32 {
         n as f32
     }
 

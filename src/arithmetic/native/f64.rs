@@ -97,7 +97,7 @@ impl Float for f64 {
     }
 
     #[inline(always)]
-    fn of_i32(n: i32) -> f64 {
+    fn from_i32(n: i32) -> f64 {
         f64::from(n)
     }
 

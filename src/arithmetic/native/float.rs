@@ -24,7 +24,7 @@ pub trait Float: Scalar {
     /// Truncated; for 0 ≤ x < 2³¹.
     fn to_u32(self) -> u32;
     fn to_i32(self) -> i32;
-    fn of_i32(n: i32) -> Self;
+    fn from_i32(n: i32) -> Self;
 
     fn ln(self) -> Self;
     fn ln_1p(self) -> Self;

@@ -22,8 +22,8 @@ impl<T: Native> Wide<T> for Pair<T> {
         self.hi
     }
     #[inline(always)]
-    fn sum(a: T, b: T) -> Self {
-        Pair::sum(a, b)
+    fn two_sum(a: T, b: T) -> Self {
+        Pair::two_sum(a, b)
     }
     #[inline(always)]
     fn neg(self) -> Self {
@@ -86,7 +86,7 @@ impl<T: Native> Kernel for T {
     }
     #[inline(always)]
     fn angle(at: CosSin<T>) -> T {
-        atan::of_pair(at)
+        atan::of_direction(at)
     }
     #[inline(always)]
     fn from_end(a: T) -> Pair<T> {
@@ -117,12 +117,12 @@ impl<T: Native> Kernel for T {
         kepler::tail_at_angle(a)
     }
     #[inline(always)]
-    fn disk_tail_at_pair(cos: T, sin: T) -> T {
-        kepler::tail_at_pair(cos, sin)
+    fn disk_tail_at_direction(cos: T, sin: T) -> T {
+        kepler::tail_at_direction(cos, sin)
     }
     #[inline(always)]
-    fn disk_pair_at_tail(p: T) -> CosSin<T> {
-        kepler::pair_at_tail(p)
+    fn disk_direction_at_tail(p: T) -> CosSin<T> {
+        kepler::direction_at_tail(p)
     }
     #[inline(always)]
     fn disk_angle_at_tail(p: T) -> T {
