@@ -1,7 +1,7 @@
 //! Uniform by volume in a ball.
 
 use super::Spatial;
-use super::formulas::{Fixed, Formulas, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{
@@ -104,11 +104,18 @@ impl<W: Kernel> Formulas<W> for Ball {
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         spatial_direction(at, W::HALF / (at.cos * at.cos))
     }
+
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        let c = W::at_angle(theta).cos;
+        let p = c.times(c).times(c.times(W::CONSTANTS.two_over_pi)).value();
+        within(theta, spatial(theta), p, W::ZERO)
+    }
 }
 
 impl Own for Ball {}
 
-impl Fixed for Ball {
+impl Parameterless for Ball {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.ball_moments
@@ -119,11 +126,9 @@ impl<T: Real> Tangent<T> for Ball {
     const MEASURE: Measure = Measure::Volume;
 }
 
-impl<W: Kernel> SolidAngle<W> for Ball {
+impl<T: Real> Spatial<T> for Ball {
     #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
-        let c = W::at_angle(theta).cos;
-        let p = c.times(c).times(c.times(W::CONSTANTS.two_over_pi)).value();
-        within(theta, spatial(theta), p, W::ZERO)
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
     }
 }

@@ -1,7 +1,7 @@
 //! Uniform by arc length on a circle.
 
 use super::Planar;
-use super::formulas::{Fixed, Formulas, Own};
+use super::formulas::{Formulas, Own, Parameterless};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{planar, planar_direction, within};
@@ -111,7 +111,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 
 impl Own for CircleArc {}
 
-impl Fixed for CircleArc {
+impl Parameterless for CircleArc {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.circle_arc_moments

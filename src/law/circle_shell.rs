@@ -1,7 +1,7 @@
 //! Uniform by radial thickness on a circle: the paper's circle, and the flat world's Lambert law.
 
 use super::Planar;
-use super::formulas::{Fixed, Formulas, Own};
+use super::formulas::{Formulas, Own, Parameterless};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{planar, planar_direction, within};
@@ -108,7 +108,7 @@ impl<W: Kernel> Formulas<W> for CircleShell {
 
 impl Own for CircleShell {}
 
-impl Fixed for CircleShell {
+impl Parameterless for CircleShell {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.circle_shell_moments

@@ -1,7 +1,7 @@
 //! Real exponents: the Phong lobe.
 
 use super::Spatial;
-use super::formulas::{Formulas, In, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Phases, pdf_solid_angle};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
@@ -206,11 +206,9 @@ impl<W: Kernel> Formulas<W> for CosPower<W> {
         };
         spatial_direction(at, weight)
     }
-}
 
-impl<W: Kernel> SolidAngle<W> for CosPower<W> {
     #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
+    fn density_at(&self, theta: W) -> W {
         let p = self.lobe(W::at_angle_fine(theta), W::Wide::exact(W::ONE));
         within(theta, spatial(theta), p, W::ZERO)
     }
@@ -218,7 +216,7 @@ impl<W: Kernel> SolidAngle<W> for CosPower<W> {
 
 impl<T> Own for CosPower<T> {}
 
-impl<T: Real> In<T> for CosPower<T> {
+impl<T: Real> Phases<T> for CosPower<T> {
     type Quick = CosPower<T::Quick>;
     type Accurate = CosPower<T::Accurate>;
 
@@ -255,5 +253,12 @@ fn moments<B: Native>(k: B) -> Moments<B> {
         mean_theta,
         var_theta: weighted + weighted - mean_theta * mean_theta,
         entropy: entropy.value(),
+    }
+}
+
+impl<T: Real> Spatial<T> for CosPower<T> {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
     }
 }

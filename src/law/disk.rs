@@ -1,7 +1,7 @@
 //! Uniform by area in a disk.
 
 use super::Planar;
-use super::formulas::{Fixed, Formulas, Own};
+use super::formulas::{Formulas, Own, Parameterless};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{planar, planar_direction, within};
@@ -106,7 +106,7 @@ impl<W: Kernel> Formulas<W> for Disk {
 
 impl Own for Disk {}
 
-impl Fixed for Disk {
+impl Parameterless for Disk {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.disk_moments

@@ -3,7 +3,7 @@
 //! A law's file writes each formula once, on [`Kernel`]. Here the formulas run in the arithmetic
 //! of a number type's tier, and their results are rounded to it.
 
-use super::{Law, Spatial};
+use super::Law;
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
@@ -12,7 +12,7 @@ use crate::number::Real;
 use crate::number::tier::Margin;
 use crate::{CosSin, Moments, Tails};
 
-/// What [`Law`] promises, in working arithmetic.
+/// What [`Law`] promises, in an arithmetic W.
 pub trait Formulas<W: Kernel> {
     fn pdf(&self, theta: W) -> W;
     fn ln_pdf(&self, theta: W) -> W;
@@ -22,27 +22,45 @@ pub trait Formulas<W: Kernel> {
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W>;
     fn lambert_weight(&self, at: CosSin<W>) -> W;
 
+    /// As [`density`](Formulas::density), at θ: in the plane that is the pdf.
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        self.pdf(theta)
+    }
+
     #[inline]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         W::angle(self.warp_tails(p))
     }
 }
 
-/// What [`Spatial`] adds to [`Law`].
-pub trait SolidAngle<W: Kernel>: Formulas<W> {
-    fn pdf_solid_angle(&self, theta: W) -> W;
-}
-
-/// A law of this crate. Without a parameter, so that a law of another crate can be seen to be none.
+/// A law of this crate, for which [`Law`] is implemented below.
+///
+/// It stands beside [`Phases`] because it has no parameter: when another crate writes
+/// `impl<T: Real> Law<T> for Mine`, the compiler must see that the blanket implementation does not
+/// cover `Mine`. With `Phases<T>` alone it cannot, and refuses: a third crate might implement
+/// `Phases` of a number type of its own for `Mine` (E0119).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law",
+    label = "not a law of directions",
+    note = "the laws are Disk, CircleShell, CircleArc, Ball, SphereShell, Lambert and CosPower; \
+            one of your own implements `coslobe::Law`"
+)]
 pub trait Own {}
 
-/// A law without parameters, and its exact moments.
-pub trait Fixed: Own + Copy {
+/// A law without a parameter, which is the same in every arithmetic.
+pub trait Parameterless: Own + Copy {
+    /// Exact moments.
     fn moments<B: Native>() -> Moments<B>;
 }
 
-/// A law as the arithmetics of a number type see it.
-pub trait In<T: Real> {
+/// A law in the two phases of a number type.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the number type `{T}`",
+    label = "no law in `{T}`",
+    note = "a law with a parameter, such as CosPower, works in the number type of its parameter"
+)]
+pub trait Phases<T: Real> {
     type Quick: Formulas<T::Quick>;
     type Accurate: Formulas<T::Accurate>;
     fn quick(&self) -> Self::Quick;
@@ -50,9 +68,9 @@ pub trait In<T: Real> {
     fn moments(&self) -> Moments<T>;
 }
 
-impl<T: Real, L> In<T> for L
+impl<T: Real, L> Phases<T> for L
 where
-    L: Fixed + Formulas<T::Quick> + Formulas<T::Accurate>,
+    L: Parameterless + Formulas<T::Quick> + Formulas<T::Accurate>,
 {
     type Quick = L;
     type Accurate = L;
@@ -73,7 +91,7 @@ where
     }
 }
 
-impl<T: Real, L: Own + In<T>> Law<T> for L {
+impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     #[inline]
     fn pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
@@ -161,22 +179,17 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
 
     #[inline]
     fn moments(&self) -> Moments<T> {
-        In::moments(self)
+        Phases::moments(self)
     }
 }
 
-impl<T: Real, L: Own + In<T>> Spatial<T> for L
-where
-    L::Quick: SolidAngle<T::Quick>,
-    L::Accurate: SolidAngle<T::Accurate>,
-{
-    #[inline]
-    fn pdf_solid_angle(&self, theta: T) -> T {
-        let [p] = T::rounded(
-            Margin::Relative,
-            || [self.quick().pdf_solid_angle(Holds::from_number(theta))],
-            || [self.accurate().pdf_solid_angle(Holds::from_number(theta))],
-        );
-        p
-    }
+/// [`Spatial::pdf_solid_angle`](super::Spatial::pdf_solid_angle) of a law of this crate.
+#[inline]
+pub(crate) fn pdf_solid_angle<T: Real, L: Own + Phases<T>>(law: &L, theta: T) -> T {
+    let [p] = T::rounded(
+        Margin::Relative,
+        || [law.quick().density_at(Holds::from_number(theta))],
+        || [law.accurate().density_at(Holds::from_number(theta))],
+    );
+    p
 }

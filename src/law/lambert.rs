@@ -1,7 +1,7 @@
 //! Uniform by area on a sphere: Lambert's cosine law.
 
 use super::Spatial;
-use super::formulas::{Fixed, Formulas, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{
@@ -96,11 +96,17 @@ impl<W: Kernel> Formulas<W> for Lambert {
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         spatial_direction(at, W::ONE)
     }
+
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        let p = W::at_angle(theta).cos.times(W::CONSTANTS.recip_pi).value();
+        within(theta, spatial(theta), p, W::ZERO)
+    }
 }
 
 impl Own for Lambert {}
 
-impl Fixed for Lambert {
+impl Parameterless for Lambert {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.lambert_moments
@@ -111,10 +117,9 @@ impl<T: Real> Tangent<T> for Lambert {
     const MEASURE: Measure = Measure::SurfaceArea;
 }
 
-impl<W: Kernel> SolidAngle<W> for Lambert {
+impl<T: Real> Spatial<T> for Lambert {
     #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
-        let p = W::at_angle(theta).cos.times(W::CONSTANTS.recip_pi).value();
-        within(theta, spatial(theta), p, W::ZERO)
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
     }
 }

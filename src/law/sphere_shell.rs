@@ -1,7 +1,7 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
 use super::Spatial;
-use super::formulas::{Fixed, Formulas, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{
@@ -122,11 +122,18 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         spatial_direction(at, W::int(2) / (W::int(3) * at.cos.abs()))
     }
+
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        let c = W::at_angle(theta).cos;
+        let p = c.times(c).times(W::CONSTANTS.three_over_two_pi).value();
+        within(theta, spatial(theta), p, W::ZERO)
+    }
 }
 
 impl Own for SphereShell {}
 
-impl Fixed for SphereShell {
+impl Parameterless for SphereShell {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.sphere_shell_moments
@@ -137,17 +144,15 @@ impl<T: Real> Tangent<T> for SphereShell {
     const MEASURE: Measure = Measure::SphereShell;
 }
 
-impl<W: Kernel> SolidAngle<W> for SphereShell {
-    #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
-        let c = W::at_angle(theta).cos;
-        let p = c.times(c).times(W::CONSTANTS.three_over_two_pi).value();
-        within(theta, spatial(theta), p, W::ZERO)
-    }
-}
-
 /// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.
 #[inline(always)]
 fn lower_tail<W: Kernel>(cos: W, sin_squared: W) -> W {
     sin_squared * (W::ONE + cos + cos * cos) / (W::ONE + cos)
+}
+
+impl<T: Real> Spatial<T> for SphereShell {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
+    }
 }
