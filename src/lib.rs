@@ -80,6 +80,7 @@ mod law;
 mod moments;
 mod number;
 mod point;
+mod sample;
 pub mod self_test;
 mod tails;
 pub mod uniform;
@@ -99,6 +100,7 @@ pub use moments::Moments;
 pub use number::{Fast, Precise, Real};
 pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
+pub use sample::Sample;
 pub use tails::Tails;
 pub use weight::{balance_heuristic, power_heuristic};
 
