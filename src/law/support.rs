@@ -41,13 +41,13 @@ pub(crate) fn spatial<T: Scalar>(theta: T) -> bool {
 
 /// `value` for a pair with cos θ ≥ 0, 0 below the horizon, NaN where a field is.
 #[inline(always)]
-pub(crate) fn planar_pair<T: Scalar>(at: CosSin<T>, value: T) -> T {
+pub(crate) fn planar_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
     pair(at, at.cos >= T::ZERO, value)
 }
 
 /// `value` for a pair with cos θ, sin θ ≥ 0, 0 elsewhere, NaN where a field is.
 #[inline(always)]
-pub(crate) fn spatial_pair<T: Scalar>(at: CosSin<T>, value: T) -> T {
+pub(crate) fn spatial_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
     pair(at, at.cos >= T::ZERO && at.sin >= T::ZERO, value)
 }
 
@@ -70,7 +70,7 @@ pub(crate) fn spatial_tails<T: Scalar>(theta: T, inside: Tails<T>) -> Tails<T> {
 
 /// The tails of a spatial law at a pair: `inside`, or those of the end that it lies beyond.
 #[inline(always)]
-pub(crate) fn spatial_pair_tails<T: Scalar>(at: CosSin<T>, inside: Tails<T>) -> Tails<T> {
+pub(crate) fn spatial_direction_tails<T: Scalar>(at: CosSin<T>, inside: Tails<T>) -> Tails<T> {
     if at.cos >= T::ZERO && at.sin >= T::ZERO {
         inside
     } else {
