@@ -1,6 +1,6 @@
 //! What a batch reads, a block at a time: arrays of known length, over which loops become vectors.
 
-use crate::arithmetic::tier::{Bits, Tier};
+use crate::number::tier::{Bits, Tier};
 use core::marker::PhantomData;
 use rand_core::Rng;
 
