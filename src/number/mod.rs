@@ -1,14 +1,9 @@
 //! Number types: a format and an accuracy tier at once, one a file.
 
-mod double;
-pub(crate) mod f32;
-pub(crate) mod f64;
+mod f32;
+mod f64;
 mod fast;
-pub(crate) mod kernel;
-pub(crate) mod native;
 mod precise;
-pub(crate) mod scalar;
-mod scaled;
 pub(crate) mod tier;
 
 pub use fast::Fast;

@@ -6,7 +6,7 @@ boards=qemu?,gcc?,defmt-print?,cbindgen?,thumbv6m-none-eabi?,thumbv7m-none-eabi?
 #    name                     when  locks          needs             command
 step format                   quick -              format            formats
 step lints                    quick clippy         clippy            lints
-step tests                    quick dev            -                 cargo test --quiet --all-features
+step tests                    quick dev            -                 cargo test --quiet --workspace --features $(all_features)
 step boards-links             full  boards         $boards           on_target links
 step costs-host               full  release        valgrind?         costs_on_host
 step boards-run               full  boards         $boards           on_target run
@@ -17,7 +17,7 @@ step big-endian-miri          full  miri           miri              big_endian_
 step fuzz                     full  fuzz           nightly,cargo-fuzz fuzz
 step boards-hashes            full  boards         $boards           on_target hashes
 step proofs-planted           full  proofs         provers           target/python/bin/python3 proofs/run --planted
-step release-bits             full  release        -                 cargo test --release --quiet --test shade golden
+step release-bits             full  release        -                 cargo test --release --quiet -p shade --test shade golden
 step boards-scenes            full  boards         $boards           on_target shade
 step boards-c                 full  boards         $boards           on_target c
 step boards-self-test         full  boards         $boards           on_target self-test
@@ -37,16 +37,16 @@ step readme-firmware          full  boards         qemu,defmt-print,thumbv7em-no
 
 formats() { # of every workspace
   local manifest
-  for manifest in Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml examples/shade/core/Cargo.toml \
-    tests/fixed_cost/Cargo.toml; do
+  for manifest in Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml tests/fixed_cost/Cargo.toml; do
     cargo fmt --all --check --manifest-path "$manifest"
   done
 }
+features() { awk '/^\[/ { on = /features/ } on && / = / { print $1 }' Cargo.toml; } # the library's
+all_features() { features | sed 's|^|coslobe/|' | paste -sd ,; } # and not those that plant a fault
 # With all features, and the library alone with none. (Tests see features of what they depend on.)
 lints() {
-  cargo clippy --all-targets --all-features --quiet -- -D warnings
+  cargo clippy --workspace --all-targets --features "$(all_features)" --quiet -- -D warnings
   cargo clippy --lib --quiet -- -D warnings
-  cargo clippy --quiet --manifest-path examples/shade/core/Cargo.toml --target-dir target/shade_core -- -D warnings
 }
 lints_of_firmware() {
   cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace $(there thumbv6m-none-eabi \
@@ -64,7 +64,7 @@ docs_as_on_docs_rs() {
 }
 features_alone() { # the library by itself too: what the tests depend on switches features on
   local feature
-  for feature in "" $(awk '/^\[/ { on = /features/ } on && / = / { print $1 }' Cargo.toml); do
+  for feature in "" $(features); do
     echo "feature: ${feature:-none}"
     cargo check --quiet --lib --features "$feature"
     cargo test --quiet --features "$feature" --test integrations --test golden
@@ -79,27 +79,29 @@ core_for_targets() {
 }
 
 costs_on_host() { # without valgrind it still asks each sampler for its law
-  cargo run --release --quiet --example accuracy_cost -- --check
+  cargo run --release --quiet -p accuracy_cost -- --check
 }
 # Firmware on emulated boards; it counts itself what it must skip.
 on_target() { # on_target SUBCOMMAND…
-  cargo run --release --quiet --features fixed --example on_target -- "$@"
+  cargo run --release --quiet -p on_target -- "$@"
 }
 planted_hash_is_caught() { # by law, type and input
   if on_target hashes --only M4F --planted >"$logs/planted" 2>&1; then return 1; fi
   grep 'found Ball f32 samples 777 cos' "$logs/planted"
 }
-hashes() { # hashes FOLDER CARGO… : what the boards compute, on another machine or in another way
-  "${@:2}" --quiet --manifest-path examples/firmware/common/Cargo.toml --target-dir "target/on_target/$1"
+hashes() { # hashes FOLDER "CARGO TEST" ARGUMENT…: what the boards compute, on another machine or in another way
+  $2 --quiet -p kit --no-default-features --test hashes --target-dir "target/on_target/$1" "${@:3}"
 }
-unoptimised() { COSLOBE_LAST=1024 hashes host cargo test; } # with overflow checks
-big_endian_in_qemu() {                                      # all types
+unoptimised() { # with overflow checks
+  COSLOBE_LAST=1024 CARGO_PROFILE_DEV_OPT_LEVEL=0 hashes host "cargo test"
+}
+big_endian_in_qemu() { # all types
   COSLOBE_LAST=16384 CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER=s390x-linux-gnu-gcc \
     CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_RUNNER="qemu-s390x -L /usr/s390x-linux-gnu" \
-    hashes s390x cargo test --release --target s390x-unknown-linux-gnu --test hashes
+    hashes s390x "cargo test" --release --target s390x-unknown-linux-gnu
 }
 big_endian_in_miri() { # what it adds to QEMU: undefined behaviour in what the crate depends on
-  COSLOBE_LAST=64 hashes miri cargo +nightly miri test --target s390x-unknown-linux-gnu --test hashes -- --exact \
+  COSLOBE_LAST=64 hashes miri "cargo +nightly miri test" --target s390x-unknown-linux-gnu -- --exact \
     f32_hashes fast_f32_hashes f64_hashes fixed_hashes fixed16_hashes
 }
 

@@ -1,12 +1,11 @@
 //! Power-on: is the generator sound, and do the samplers yield their laws? `cargo run -p self_test` checks
-//! a good generator; `cargo run -p self_test stuck` one that is stuck. The cases are in cases.rs.
+//! a good generator; `cargo run -p self_test stuck` one that is stuck. The cases are in the kit.
 #![no_std]
 #![no_main]
 
-mod cases;
-
 use defmt::{error, info};
 use defmt_semihosting as _; // carries what defmt logs to the emulator's output
+use kit::self_test as cases;
 
 #[board::entry]
 fn main() -> ! {
@@ -30,7 +29,7 @@ fn main() -> ! {
 /// Instructions of the checked and counted sample beyond those of the sample alone.
 fn cost(case: &str) -> Option<u32> {
     use core::hint::black_box;
-    use coslobe::{Lambert, Spatial, check};
+    use coslobe::{Lambert, Spatial, self_test};
     const N: u16 = 4096;
     if case != "cost" {
         return None;
@@ -41,7 +40,7 @@ fn cost(case: &str) -> Option<u32> {
         black_box::<[f32; 3]>(Spatial::sample(black_box(&Lambert), &mut rng));
     }
     let alone = ticks.elapsed();
-    let mut check = check::spatial::<f32, _>(Lambert);
+    let mut check = self_test::spatial::<f32, _>(Lambert);
     ticks.restart();
     check.run(&mut rng, N);
     let checked = ticks.elapsed();

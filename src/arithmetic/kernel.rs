@@ -1,0 +1,142 @@
+//! The working arithmetic of the laws' formulas.
+
+use super::constants::Constants;
+use super::scalar::Scalar;
+use crate::{CosSin, Tails};
+
+/// An intermediate result; where the arithmetic keeps it, with what rounding took from it.
+pub trait Wide<W>: Copy {
+    fn exact(x: W) -> Self;
+    fn value(self) -> W;
+    /// The value as far as one number holds it, without arithmetic.
+    fn leading(self) -> W;
+    /// a + b.
+    fn two_sum(a: W, b: W) -> Self;
+    fn neg(self) -> Self;
+    /// First-order product: carries the factors' low parts but not the rounding of the product.
+    fn times(self, b: Self) -> Self;
+    fn mul(self, b: Self) -> Self;
+    fn add(self, b: Self) -> Self;
+    fn div(self, b: Self) -> Self;
+    /// √self, for self that is far from under- and overflow.
+    fn sqrt(self) -> W;
+}
+
+/// The kernels that laws are written on. A law's formula is written once; which arithmetic runs
+/// it decides what it costs and how exact it is.
+pub trait Kernel: Scalar {
+    type Wide: Wide<Self>;
+
+    const CONSTANTS: Constants<Self::Wide>;
+
+    /// √(a·b) or √(a/b) by `f`, without losing digits where a is subnormal.
+    fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self;
+    /// (∜self, √self) for self ≥ 0.
+    #[inline(always)]
+    fn fourth_root(self) -> (Self, Self) {
+        let root = self.sqrt();
+        (root.sqrt(), root)
+    }
+    /// ∛self for self ≥ 0.
+    fn cbrt(self) -> Self;
+    /// As [`cbrt`](Kernel::cbrt), with what rounding took; for self far from underflow.
+    fn cbrt_wide(self) -> Self::Wide;
+    /// True where 1 − x²/2 is 1 and x²'s square counts for nothing.
+    fn is_negligible(self) -> bool;
+
+    fn ln(self) -> Self;
+    /// ln cos θ, from the smaller of cos θ and sin θ.
+    fn ln_cos(at: CosSin<Self::Wide>) -> Self;
+    /// atan2(self, x).
+    fn atan2(self, x: Self) -> Self;
+    /// θ of a unit vector with cos θ ≥ 0.
+    #[inline(always)]
+    fn angle(at: CosSin<Self>) -> Self {
+        at.sin.atan2(at.cos)
+    }
+
+    /// π/2 − a for 0 ≤ a ≤ π/2, relatively accurate.
+    fn from_end(a: Self) -> Self::Wide;
+    /// (cos θ, |sin θ|) for |θ| ≤ π/2.
+    fn at_angle(theta: Self) -> CosSin<Self::Wide>;
+    /// As [`at_angle`](Kernel::at_angle), with the digits that a power of it needs.
+    fn at_angle_fine(theta: Self) -> CosSin<Self::Wide>;
+    /// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8.
+    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self>;
+    /// (cos, sin) at u turns, 0 ≤ u ≤ 1.
+    fn at_turn(u: Self) -> CosSin<Self>;
+    /// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ ½: cos is that of the angle from the axis.
+    fn half_turn(p: Self) -> CosSin<Self>;
+
+    /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
+    fn disk_tail_at_angle(a: Self) -> Self;
+    /// Nearer tail of the disk's law, from the smaller of cos θ and |sin θ|.
+    fn disk_tail_at_direction(cos: Self, sin: Self) -> Self;
+    /// (cos θ, |sin θ|) of the disk's law at nearer tail p.
+    fn disk_direction_at_tail(p: Self) -> CosSin<Self>;
+    /// |θ| of the disk's law at nearer tail p.
+    fn disk_angle_at_tail(p: Self) -> Self;
+
+    /// ln x for finite x > 0.
+    fn ln_wide(x: Self::Wide) -> Self::Wide;
+    /// k·ln cos θ for cos θ > 0.
+    fn ln_cos_power(k: Self::Wide, at: CosSin<Self::Wide>) -> Self::Wide;
+    /// c·eᵃ.
+    fn exp_times(a: Self::Wide, c: Self::Wide) -> Self;
+    /// 1 − eᵃ for a ≤ 0.
+    fn one_minus_exp(a: Self::Wide) -> Self;
+    /// (1 − cosⁿθ, cosⁿθ) for cos θ > 0.
+    #[inline]
+    fn power_tails(n: Self::Wide, at: CosSin<Self::Wide>) -> (Self, Self) {
+        let a = Self::ln_cos_power(n, at);
+        let upper = Self::exp_times(a, Self::Wide::exact(Self::ONE));
+        (Self::one_minus_exp(a), upper)
+    }
+    /// (cos θ, sin θ) with cosⁿθ = the upper of the tails p.
+    fn power_warp(p: Tails<Self>, n: Self::Wide) -> CosSin<Self>;
+}
+
+/// An arithmetic that keeps nothing beside its numbers, since they have digits to spare or since it
+/// does not aim that high, is its own wide type.
+impl<W: Kernel<Wide = W>> Wide<W> for W {
+    #[inline(always)]
+    fn exact(x: W) -> W {
+        x
+    }
+    #[inline(always)]
+    fn value(self) -> W {
+        self
+    }
+    #[inline(always)]
+    fn leading(self) -> W {
+        self
+    }
+    #[inline(always)]
+    fn two_sum(a: W, b: W) -> W {
+        a + b
+    }
+    #[inline(always)]
+    fn neg(self) -> W {
+        -self
+    }
+    #[inline(always)]
+    fn times(self, b: W) -> W {
+        self * b
+    }
+    #[inline(always)]
+    fn mul(self, b: W) -> W {
+        self * b
+    }
+    #[inline(always)]
+    fn add(self, b: W) -> W {
+        self + b
+    }
+    #[inline(always)]
+    fn div(self, b: W) -> W {
+        self / b
+    }
+    #[inline(always)]
+    fn sqrt(self) -> W {
+        Scalar::sqrt(self)
+    }
+}

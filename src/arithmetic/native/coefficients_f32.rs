@@ -1,0 +1,255 @@
+//! Constants and coefficients for f32, written by `python3 tools/coefficients.py`: do not edit.
+#![allow(clippy::approx_constant)] // the constants are the point
+
+use super::pair::Pair;
+use super::table::{Series, Table};
+use crate::Moments;
+use crate::arithmetic::constants::Constants;
+
+pub(crate) const CONSTANTS: Constants<Pair<f32>> = Constants {
+    // pi / 2
+    half_pi: Pair {
+        hi: 1.5707964,
+        lo: -4.371139e-8,
+    },
+    // 2 pi
+    two_pi: Pair {
+        hi: 6.2831855,
+        lo: -1.7484555e-7,
+    },
+    // pi
+    pi: Pair {
+        hi: 3.1415927,
+        lo: -8.742278e-8,
+    },
+    // 1 / pi
+    recip_pi: Pair {
+        hi: 0.31830987,
+        lo: 1.28412765e-8,
+    },
+    // 2 / pi
+    two_over_pi: Pair {
+        hi: 0.63661975,
+        lo: 2.5682553e-8,
+    },
+    // 1 / (2 pi)
+    recip_two_pi: Pair {
+        hi: 0.15915494,
+        lo: 6.4206382e-9,
+    },
+    // 12 pi
+    twelve_pi: Pair {
+        hi: 37.699112,
+        lo: -9.5399045e-8,
+    },
+    // 3 / 2 pi
+    three_over_two_pi: Pair {
+        hi: 0.47746482,
+        lo: 4.3607535e-9,
+    },
+    // 2 / 3 pi
+    two_over_three_pi: Pair {
+        hi: 0.21220659,
+        lo: 3.5937973e-9,
+    },
+    // ln 2
+    ln_2: Pair {
+        hi: 0.6931472,
+        lo: -1.9046542e-9,
+    },
+    // ln 2 pi
+    ln_two_pi: Pair {
+        hi: 1.837877,
+        lo: 3.1268353e-8,
+    },
+    // ln pi
+    ln_pi: Pair {
+        hi: 1.1447299,
+        lo: 3.317301e-8,
+    },
+    // ln 2 / pi
+    ln_two_over_pi: Pair {
+        hi: -0.4515827,
+        lo: -5.2753406e-9,
+    },
+    // ln 3 / 2 pi
+    ln_three_over_two_pi: Pair {
+        hi: -0.7392648,
+        lo: 8.5022025e-9,
+    },
+};
+
+pub(crate) const TABLE: Table<f32> = Table {
+    disk_moments: Moments {
+        mean_cos: 0.84882635,
+        var_cos: 0.029493805,
+        mean_theta: 0.0,
+        var_theta: 0.32246703,
+        entropy: 0.8378771,
+    },
+    circle_shell_moments: Moments {
+        mean_cos: 0.7853982,
+        var_cos: 0.049816392,
+        mean_theta: 0.0,
+        var_theta: 0.4674011,
+        entropy: 1.0,
+    },
+    circle_arc_moments: Moments {
+        mean_cos: 0.63661975,
+        var_cos: 0.09471527,
+        mean_theta: 0.0,
+        var_theta: 0.822467,
+        entropy: 1.1447299,
+    },
+    ball_moments: Moments {
+        mean_cos: 0.8,
+        var_cos: 0.026666667,
+        mean_theta: 0.5890486,
+        var_theta: 0.07829713,
+        entropy: 1.2015827,
+    },
+    sphere_shell_moments: Moments {
+        mean_cos: 0.75,
+        var_cos: 0.0375,
+        mean_theta: 0.6666667,
+        var_theta: 0.0943951,
+        entropy: 1.4059315,
+    },
+    lambert_moments: Moments {
+        mean_cos: 0.6666667,
+        var_cos: 0.055555556,
+        mean_theta: 0.7853982,
+        var_theta: 0.11685027,
+        entropy: 1.6447299,
+    },
+    // (sin x - x) / x^3 in x^2, |x| <= 0.9; relative error 2^-25.0
+    sin: &[-0.16666667, 0.008333379, -0.00019851352, 2.8005945e-6],
+    // (cos x - 1 + x^2 / 2) / x^4 in x^2, |x| <= 0.9; relative error 2^-22.68
+    cos: &[0.04166666, -0.0013887796, 2.4460596e-5],
+    // (sin 2 pi x / x - 2 pi) / x^2 in x^2, |x| <= 1/8; relative error 2^-22.94
+    sin_turn: &[-41.341698, 81.59961, -75.7304],
+    // (cos 2 pi x - 1) / x^2 in x^2, |x| <= 1/8; relative error 2^-25.02
+    cos_turn: &[-19.739208, 64.93908, -85.411865, 58.07624],
+    // (eta / s - 1/2) / s^2 in s^2, s = cbrt(12 pi p), p <= 1/8; relative error 2^-24.0
+    kepler_tail: &[
+        0.008333333,
+        0.00035715045,
+        1.9814624e-5,
+        1.2827842e-6,
+        6.184259e-8,
+        1.1937253e-8,
+    ],
+    // (theta / d - pi/2) / d^2 in d^2, d = 1/2 - p, p >= 1/8; relative error 2^-23.68
+    kepler_centre: &[
+        1.2919283, 2.550064, 6.460003, 17.086395, 97.77678, -605.1817, 8857.953, -45092.055,
+        124932.63,
+    ],
+    // (p / eta^3 - 2 / 3 pi) / eta^2 in eta^2, eta <= pi / 2; relative error 2^-24.74
+    disk_tail: &[
+        -0.04244132,
+        0.004042042,
+        -0.00022458252,
+        8.1879825e-6,
+        -2.1770784e-7,
+        4.952751e-9,
+    ],
+    // (p / c^3 - 2 / 3 pi) / c^2 in c^2, c <= sqrt 1/2; relative error 2^-25.9
+    disk_tail_of_cos: &[
+        0.06366198,
+        0.034104377,
+        0.022119213,
+        0.015531876,
+        0.014958068,
+        -0.0061523775,
+        0.055874284,
+        -0.072937444,
+        0.06471167,
+    ],
+    // ((asin s + s cos) / pi - 2 s / pi) / s^3 in s^2, s <= sqrt 1/2; relative error 2^-25.82
+    disk_centre_of_sin: &[
+        -0.10610329,
+        -0.015915692,
+        -0.0056781946,
+        -0.0028390896,
+        -0.0010836135,
+        -0.0027833215,
+        0.0026867976,
+        -0.0033673448,
+    ],
+    // (atan x - x) / x^3 in x^2, |x| <= 1/2; relative error 2^-24.98
+    atan: &[
+        -0.33333334,
+        0.19999988,
+        -0.14282323,
+        0.110298686,
+        -0.083272405,
+        0.04358874,
+    ],
+    // integral of cos^n over its leading term, in m^-2, m = (2n + 1)/4; asymptotic
+    cosine_integral: &[
+        1.0,
+        -0.015625,
+        0.0025634766,
+        -0.0012798309,
+        0.001343511,
+        -0.0024328968,
+        0.0067542377,
+        -0.02663696,
+    ],
+    // n times the integral of theta cos^n, in 1/n; asymptotic
+    angle_integral: &[
+        1.0,
+        -0.6666667,
+        0.26666668,
+        0.07619048,
+        -0.15238096,
+        -0.13852814,
+        0.34525475,
+        0.53706294,
+        -1.6357603,
+        -3.6015337,
+        13.091361,
+        37.228836,
+        -157.98863,
+        -550.2501,
+    ],
+    // (sin x - x) / x^3, Taylor
+    sin_series: Series {
+        head: &[
+            Pair {
+                hi: -0.16666667,
+                lo: 4.967054e-9,
+            },
+            Pair {
+                hi: 0.008333334,
+                lo: -4.346172e-10,
+            },
+        ],
+        tail: &[-0.0001984127, 2.7557319e-6, -2.5052108e-8, 1.6059044e-10],
+    },
+    // (cos x - 1) / x^2, Taylor
+    cos_series: Series {
+        head: &[
+            Pair { hi: -0.5, lo: 0.0 },
+            Pair {
+                hi: 0.041666668,
+                lo: -1.2417635e-9,
+            },
+        ],
+        tail: &[-0.0013888889, 2.4801588e-5, -2.755732e-7, 2.0876756e-9],
+    },
+    // (atanh z - z) / z^3, Taylor
+    atanh_series: Series {
+        head: &[
+            Pair {
+                hi: 0.33333334,
+                lo: -9.934108e-9,
+            },
+            Pair {
+                hi: 0.2,
+                lo: -2.9802323e-9,
+            },
+        ],
+        tail: &[0.14285715, 0.11111111, 0.09090909, 0.07692308],
+    },
+};

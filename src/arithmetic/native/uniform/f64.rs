@@ -1,0 +1,121 @@
+//! `f64`.
+
+use super::BY_SUMS;
+use crate::arithmetic::native::f64::power_of_two;
+
+/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2⁵² become multiples of 2ⁿ.
+const fn carrier(ulp: i32) -> u64 {
+    ((1023 + 52 + ulp) as u64) << 52
+}
+
+/// (2n + 1)·2⁻¹²⁹ for n < 2¹²⁷, rounded to nearest: never zero; ½ is reached and not passed.
+#[inline(always)]
+pub(crate) fn tail(n: u128) -> f64 {
+    half_more(n) * power_of_two(-128)
+}
+
+/// n + ½ for n < 2¹²⁷, rounded once.
+///
+/// The general conversion is a library call; one of 64 bits is not. All that lies below those is
+/// never zero, and their last bit, itself below the digits kept, stands for it.
+#[inline(always)]
+fn half_more(n: u128) -> f64 {
+    let leading = (n >> 63) as u64;
+    if leading >> 55 != 0 {
+        (leading | 1) as f64 * power_of_two(63)
+    } else {
+        let odd = 2 * n + 1;
+        let zeros = odd.leading_zeros();
+        let odd = odd << zeros;
+        let sticky = u64::from(odd as u64 != 0);
+        ((odd >> 64) as u64 | sticky) as f64 * power_of_two(63 - zeros as i32)
+    }
+}
+
+/// (q, n): a uniform azimuth as q quarters and n·2⁻⁶⁵ turns, |n| < 2⁶², n odd.
+#[inline(always)]
+pub(crate) fn parts_of_turn(bits: u64) -> (u32, i64) {
+    // What is left of the quarters are the lower 62 bits, as a signed number.
+    (quadrant(bits), ((bits << 2) as i64 >> 1) | 1)
+}
+
+#[inline(always)]
+fn quadrant(bits: u64) -> u32 {
+    (bits.wrapping_add(1 << 61) >> 62) as u32
+}
+
+/// (q, x): the same azimuth as q quarters and x turns, |x| ≤ ⅛, x rounded once.
+#[inline(always)]
+pub(crate) fn turn(bits: u64) -> (u32, f64) {
+    let x = if BY_SUMS {
+        summed_turn(bits)
+    } else {
+        converted_turn(bits)
+    };
+    (quadrant(bits), x)
+}
+
+#[inline(always)]
+fn converted_turn(bits: u64) -> f64 {
+    parts_of_turn(bits).1 as f64 * power_of_two(-65)
+}
+
+#[inline(always)]
+fn summed_turn(bits: u64) -> f64 {
+    const HIGH: u64 = carrier(-34);
+    const LOW: u64 = carrier(-66);
+    // Twice n but for its last bit; the upper part with ⅛ added, so that it is no less than 0.
+    let twice = bits << 2;
+    let high = f64::from_bits(HIGH | (twice ^ 1 << 63) >> 32);
+    let low = f64::from_bits(LOW | twice & 0xFFFF_FFFF | 2);
+    (high - (f64::from_bits(HIGH) + 0.125)) + (low - f64::from_bits(LOW))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// [`half_more`] against the compiler's own conversion: every count of leading zeros, and patterns of
+    /// low bits around the tie of each.
+    #[test]
+    fn half_more_is_rounded_once() {
+        let mut noise = 0x9E37_79B9_7F4A_7C15u128;
+        for length in 0..=127 {
+            let lead: u128 = (1 << length) >> 1;
+            for shift in 0..=length {
+                for pattern in 0..16 {
+                    noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
+                    let top = u128::MAX >> 1;
+                    for low in [
+                        pattern << shift,
+                        (1 << shift) - 1,
+                        noise >> 1,
+                        noise >> 1 << shift,
+                    ] {
+                        for n in [lead | low, lead | low.wrapping_sub(1), lead ^ low] {
+                            let n = n & top & (top >> (127 - length));
+                            let expected = (2 * n + 1) as f64 * 0.5;
+                            assert_eq!(half_more(n).to_bits(), expected.to_bits(), "{n:#x}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn turns_are_the_conversions() {
+        let mut noise = 0x9E37_79B9_7F4A_7C15u64;
+        for _ in 0..100_000 {
+            noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
+            let near = noise >> (noise & 63);
+            for eighth in 0..8u64 {
+                for bits in [near, near.wrapping_neg(), near ^ 0xFFFF_FFFF] {
+                    let bits = (eighth << 61).wrapping_add(bits);
+                    let (one, other) = (summed_turn(bits), converted_turn(bits));
+                    assert_eq!(one.to_bits(), other.to_bits(), "{bits:#x}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! `Fast<f32>` as a number type: its words, and no rounding after the formulas.
+
+use crate::arithmetic::fast::kernel::fast;
+use crate::arithmetic::fast::uniform;
+use crate::arithmetic::holds::Holds;
+use crate::number::Real;
+use crate::number::tier::{Margin, Tier};
+use crate::{CosSin, Tails};
+use rand_core::Rng;
+
+pub use crate::arithmetic::fast::Fast;
+
+impl Holds<Fast<f32>> for Fast<f32> {
+    #[inline(always)]
+    fn from_number(x: Self) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn from_tails(p: Tails<Self>) -> Tails<Self> {
+        p
+    }
+
+    #[inline(always)]
+    fn from_direction(at: CosSin<Self>) -> CosSin<Self> {
+        at
+    }
+}
+
+impl Real for Fast<f32> {}
+
+impl From<Fast<f32>> for f64 {
+    #[inline(always)]
+    fn from(x: Fast<f32>) -> f64 {
+        f64::from(x.0)
+    }
+}
+
+impl Tier for Fast<f32> {
+    type Quick = Self;
+    type Accurate = Self;
+    type Base = f32;
+
+    const UNIT_SLACK: f32 = 1.0 / 1024.0;
+    type TailBits = u32;
+    type TurnBits = u32;
+
+    #[inline(always)]
+    fn rounded<const N: usize>(
+        _: Margin,
+        _: impl FnOnce() -> [Self; N],
+        accurate: impl FnOnce() -> [Self; N],
+    ) -> [Self; N] {
+        accurate()
+    }
+
+    #[inline(always)]
+    fn to_base(self) -> f32 {
+        self.0
+    }
+
+    #[inline(always)]
+    fn from_base(x: f32) -> Self {
+        Fast(x)
+    }
+
+    #[inline]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
+        rng.next_u32()
+    }
+
+    #[inline]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
+        rng.next_u32()
+    }
+
+    #[inline]
+    fn tails_from_bits(bits: u32) -> Tails<Self> {
+        let (p, is_upper) = uniform::tail(bits);
+        Tails::from_nearer(Fast(p), is_upper)
+    }
+
+    #[inline]
+    fn turn_from_bits(bits: u32) -> CosSin<Self> {
+        fast(uniform::turn(bits))
+    }
+}
