@@ -6,7 +6,7 @@ boards=qemu?,gcc?,defmt-print?,cbindgen?,thumbv6m-none-eabi?,thumbv7m-none-eabi?
 #    name                     when  locks          needs             command
 step format                   quick -              format            formats
 step lints                    quick clippy         clippy            lints
-step tests                    quick dev            -                 cargo test --quiet --workspace --features $(all_features)
+step tests                    quick dev            -                 tests
 step boards-links             full  boards         $boards           on_target links
 step costs-host               full  release        valgrind?         costs_on_host
 step boards-run               full  boards         $boards           on_target run
@@ -48,6 +48,7 @@ lints() {
   cargo clippy --workspace --all-targets --features "$(all_features)" --quiet -- -D warnings
   cargo clippy --lib --quiet -- -D warnings
 }
+tests() { cargo test --quiet --workspace --features "$(all_features)"; }
 lints_of_firmware() {
   cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace $(there thumbv6m-none-eabi \
     thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf) --target-dir target/on_target/lints -- -D warnings
