@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes src/fixed/kernel/table.rs and src/fixed16/kernel/table.rs: the integer polynomials of the fixed-point laws.
+"""Writes src/fixed/q31/coefficients.rs and src/fixed/q15/coefficients.rs: the integer polynomials of the fixed-point laws.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -34,6 +34,7 @@ def centred(f):
 
 # Three quarters of (1/2)^(2/3) in Q32. Powers of 3/2 z^2 - 0.47 have coefficients below 1/2, and keep the partial sums small.
 KEPLER_MIDDLE = 2029244888
+MIDDLE = ["", "/// 3/4 of (1/2)^(2/3), in Q32.", f"pub(crate) const KEPLER_MIDDLE: u32 = {KEPLER_MIDDLE};"]
 
 
 def kepler(x):
@@ -137,6 +138,7 @@ def short():
         "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
         "",
         "use crate::fixed::kernel::poly::Polynomial;",
+        *MIDDLE,
     ]
     for name, f, interval, wanted, k, doc in SHORT_SPECS:
         c, error = fit(series_free(f, *interval, n=36), interval, wanted, k)
@@ -153,7 +155,7 @@ def short():
         assert all(0 < v < 2**16 + 1 for v in steps[-1]), (name, whole)
         lines += ["", f"/// {doc}; x from {mp.nstr(mpf(interval[0]), 6)} to {mp.nstr(mpf(interval[1]), 6)}; Q{k}; error 2^{mp.nstr(error, 4)}",
                   f"pub(crate) const {name}: Polynomial<{kind}, {len(c)}, 0> = Polynomial {{ small: {whole[::-1]}, large: [] }};"]
-    write("src/fixed16/kernel/table.rs", lines)
+    write("src/fixed/q15/coefficients.rs", lines)
 
 
 def main():
@@ -163,10 +165,8 @@ def main():
         "//!",
         "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
         "",
-        "use super::poly::Polynomial;",
-        "",
-        "/// 3/4 of (1/2)^(2/3), in Q32.",
-        f"pub(crate) const KEPLER_MIDDLE: u32 = {KEPLER_MIDDLE};",
+        "use crate::fixed::kernel::poly::Polynomial;",
+        *MIDDLE,
     ]
     for name, f, interval, wanted, k, doc in SPECS:
         c, error = fit(series_free(f, *interval, n=36), interval, wanted, k)
@@ -196,7 +196,7 @@ def main():
         lines += ["", f"/// {doc}; x from {mp.nstr(mpf(interval[0]), 6)} to {mp.nstr(mpf(interval[1]), 6)}; Q{k}; error 2^{mp.nstr(error, 4)}",
                   f"pub(crate) const {name}: Polynomial<{kind}, {split}, {len(top) - split}> = "
                   f"Polynomial {{ small: {top[:split]}, large: {top[split:]} }};"]
-    write("src/fixed/kernel/table.rs", lines)
+    write("src/fixed/q31/coefficients.rs", lines)
 
 
 if __name__ == "__main__":

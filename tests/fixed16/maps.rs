@@ -3,7 +3,7 @@
 use crate::Q15;
 use crate::stats::words::{self, Words};
 use crate::truth::DISK;
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::I1F15;

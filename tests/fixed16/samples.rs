@@ -6,7 +6,7 @@ use crate::stats::harness::{examine, examine_tail};
 use crate::stats::ks;
 use crate::stats::laws::{Claim, Direction};
 use crate::stats::words::{self, Words};
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, Law, Moments, SphereShell};
 use fixed::types::I1F15;

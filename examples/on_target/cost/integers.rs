@@ -6,7 +6,7 @@ use crate::fixed_reference::truth::{
 };
 use crate::fixed_reference::{Q31, Q32, power_pair, subjects};
 use coslobe::fixed::CosPower;
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
 use fixed::types::{I1F31, U0F16, U0F32, U16F16};
 

@@ -1,6 +1,6 @@
 //! (cos, sin) to an angle in turns.
 
-use super::table::ASIN;
+use super::coefficients::ASIN;
 
 /// cos π/8 and sin π/8 in Q16.
 const COS: u32 = 60547;
@@ -14,7 +14,10 @@ const HALF_ROOT: u32 = 46341 + 2;
 #[inline(always)]
 pub(crate) fn first_quadrant(cos: u32, sin: u32) -> u32 {
     let (cos, sin) = (cos - (cos >> 31), sin - (sin >> 31));
-    let (cos, sin) = (super::rounded(cos << 1), super::rounded(sin << 1));
+    let (cos, sin) = (
+        super::word::rounded(cos << 1),
+        super::word::rounded(sin << 1),
+    );
     let (small, large) = if sin < cos { (sin, cos) } else { (cos, sin) };
     // A pair of unit length is not cut by this; any other stays in the polynomial's domain.
     let small = small.min(HALF_ROOT);

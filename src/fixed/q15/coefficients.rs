@@ -4,6 +4,9 @@
 
 use crate::fixed::kernel::poly::Polynomial;
 
+/// 3/4 of (1/2)^(2/3), in Q32.
+pub(crate) const KEPLER_MIDDLE: u32 = 2029244888;
+
 /// (1 - cos(pi y / 4)) / y^2 in y^2; x from 0.0 to 1.0; Q17; error 2^-20.3
 pub(crate) const TURN_COS: Polynomial<u32, 3, 0> = Polynomial {
     small: [42, 2078, 40426],

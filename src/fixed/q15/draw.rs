@@ -1,7 +1,7 @@
 //! From a generator's words to the numbers that samplers start from.
 
-use super::kernel::root::{less_square, scaled};
-use super::kernel::turn::eighth;
+use super::root::{less_square, scaled};
+use super::turn::eighth;
 use ::fixed::types::I1F15;
 use rand_core::Rng;
 

@@ -2,9 +2,9 @@
 //! Errors are in units of 2⁻¹⁵ (of 2⁻¹⁶ for angles and reciprocals), before the last rounding but for the first two.
 extern crate std;
 
-use super::super::cos_sin;
-use super::table::{TURN_COS, TURN_SIN};
+use super::coefficients::{TURN_COS, TURN_SIN};
 use super::{angle, kepler, root, turn};
+use crate::fixed::cos_sin;
 use ::fixed::types::I0F16;
 use core::f64::consts::{FRAC_PI_4, TAU};
 use std::{println, vec::Vec};

@@ -1,7 +1,7 @@
 //! (cos, sin) to an angle in turns.
 
-use super::mul::{mul_high, mul_high_signed};
-use super::table::ASIN;
+use super::coefficients::ASIN;
+use crate::fixed::kernel::mul::{mul_high, mul_high_signed};
 
 /// cos π/8 and sin π/8 in Q32.
 const COS: u32 = 3968032378;

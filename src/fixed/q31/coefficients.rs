@@ -2,7 +2,7 @@
 //!
 //! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.
 
-use super::poly::Polynomial;
+use crate::fixed::kernel::poly::Polynomial;
 
 /// 3/4 of (1/2)^(2/3), in Q32.
 pub(crate) const KEPLER_MIDDLE: u32 = 2029244888;

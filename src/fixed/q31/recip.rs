@@ -1,7 +1,7 @@
 //! Reciprocals.
 
-use super::mul::{mul_high, mul_high_signed};
-use super::table::RECIP;
+use super::coefficients::RECIP;
+use crate::fixed::kernel::mul::{mul_high, mul_high_signed};
 
 /// 1/(2d) in Q32, of d ≥ ½ in Q32; never above the true value's 1.
 ///

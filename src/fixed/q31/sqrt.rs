@@ -5,9 +5,10 @@
 //!
 //! Errors in units of 2⁻³¹, exhaustive: √x 0.8333 (worst word 0x7ca48747), ⁴√x 0.9974 (0x617930aa).
 
-use super::mul::mul_high;
-use super::normal::{normal, normal_long};
-use super::table::RECIP_SQRT;
+use super::coefficients::RECIP_SQRT;
+use crate::fixed::kernel::halve;
+use crate::fixed::kernel::mul::mul_high;
+use crate::fixed::kernel::normal::{normal, normal_long};
 
 /// √(m·2⁻³²⁻ᵒᵈᵈ) in Q32, for m ≥ 2³¹ and odd 0 or 1.
 #[inline(always)]
@@ -71,10 +72,4 @@ pub(crate) fn complement(v: u64) -> u32 {
     let less = (product >> 31) ^ 1;
     let e = (shift + less).wrapping_sub(1);
     halve(of_mantissa(product << less, e & 1) >> (e >> 1).min(31))
-}
-
-/// Q32 to the nearest of Q31.
-#[inline(always)]
-pub(crate) fn halve(x: u32) -> u32 {
-    (x >> 1) + (x & 1)
 }
