@@ -12,7 +12,7 @@ class Format:
         self.name, self.bits, self.gappa = name, bits, gappa
         # Significand bits that `leading_half` keeps.
         self.half = half
-        source = (ROOT / f"src/kernel/table_{name}.rs").read_text()
+        source = (ROOT / f"src/arithmetic/native/coefficients_{name}.rs").read_text()
         number = lambda text: self.rounded(float(text))
         self.poly = {
             m[1]: [number(c) for c in m[2].replace("\n", " ").split(",") if c.strip()]

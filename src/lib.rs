@@ -46,7 +46,7 @@
 //! ```
 //!
 //! What each costs is in [`accuracy`], measured beside its errors. Where there is no floating-point unit, `Fixed(Disk)`
-//! (feature `fixed`) is the same law in integers alone, `Fixed16(Disk)` in 16 bits. [`check`] is a self-test for power-on.
+//! (feature `fixed`) is the same law in integers alone, `Fixed16(Disk)` in 16 bits. [`self_test`] is a self-test for power-on.
 //!
 //! # Where to enter
 //!
@@ -68,17 +68,18 @@
 //! problem statement.
 
 pub mod accuracy;
-pub mod check;
+mod arithmetic;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 mod frame;
 pub mod integration;
-mod kernel;
 mod law;
 mod moments;
 mod number;
 mod point;
+mod sample;
+pub mod self_test;
 mod tails;
 pub mod uniform;
 mod weight;
@@ -95,6 +96,7 @@ pub use moments::Moments;
 pub use number::{Fast, Precise, Real};
 pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
+pub use sample::Sample;
 pub use tails::Tails;
 pub use weight::{balance_heuristic, power_heuristic};
 

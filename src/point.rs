@@ -1,11 +1,11 @@
 //! The point before it was normalised.
 
-use crate::kernel::pair::Pair;
-use crate::kernel::table::Constants;
+use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::table::Constants;
+use crate::arithmetic::tier::{Holds, Margin};
 use crate::number::Real;
-use crate::number::kernel::Kernel;
-use crate::number::native::Native;
-use crate::number::tier::{Holds, Margin};
 use crate::{CosSin, Law, Planar, Spatial, uniform};
 use core::fmt;
 use rand_core::Rng;

@@ -11,8 +11,8 @@
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
 
+use crate::arithmetic::tier::Tier;
 use crate::number::Real;
-use crate::number::tier::Tier;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 

@@ -258,7 +258,7 @@ mod heapless {
 mod defmt {
     use coslobe::{
         Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, ExponentError, Fast, Frame, Lambert,
-        Measure, Moments, NormalError, Precise, Radius, RadiusError, SphereShell, Tails, check,
+        Measure, Moments, NormalError, Precise, Radius, RadiusError, SphereShell, Tails, self_test,
     };
 
     /// Only its type is checked: running `Format` needs a logger, which a host has not.
@@ -277,6 +277,11 @@ mod defmt {
         is_format::<(ExponentError, RadiusError, NormalError)>();
         #[cfg(feature = "fixed")]
         is_format::<(coslobe::Fixed<Ball>, coslobe::Fixed16<Disk>)>();
-        is_format::<(check::Report, check::Fault, check::Alarm, check::Place)>();
+        is_format::<(
+            self_test::Report,
+            self_test::Fault,
+            self_test::Alarm,
+            self_test::Place,
+        )>();
     }
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the tables of coefficients: src/kernel/table_f{32,64}.rs, src/kernel/{double,fast}/table.rs.
+"""Writes the tables of coefficients: src/arithmetic/native/coefficients_f{32,64}.rs,
+src/arithmetic/{double,fast}/coefficients.rs.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -321,7 +322,7 @@ def emit(bits, fits):
         lines += [f"            {pr(c)}," for c in cs[:head]] + ["        ],", "        tail: &["]
         lines += [f"            {t(round_to(c, bits))}," for c in cs[head:]] + ["        ],", "    },"]
     lines += ["};", ""]
-    path = f"src/kernel/table_{ty}.rs"
+    path = f"src/arithmetic/native/coefficients_{ty}.rs"
     with open(path, "w") as f:
         f.write("\n".join(lines))
     subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
@@ -400,7 +401,7 @@ def emit_double():
         "",
         "use super::Double;",
         "use super::series::Series;",
-        "use crate::kernel::pair::Pair;",
+        "use crate::arithmetic::native::pair::Pair;",
         "",
     ]
     for name, value, n, bits, doc in DOUBLE_CONSTANTS:
@@ -418,7 +419,7 @@ def emit_double():
         for field, cs, form in (("full", full, pr), ("middle", middle, pr), ("plain", plain, t)):
             lines += [f"    {field}: &["] + [f"        {form(c)}," for c in cs] + ["    ],"]
         lines += ["};"]
-    path = "src/kernel/double/table.rs"
+    path = "src/arithmetic/double/coefficients.rs"
     with open(path, "w") as f:
         f.write("\n".join(lines + [""]))
     subprocess.run(["rustfmt", "--edition", "2024", path], check=True)

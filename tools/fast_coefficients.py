@@ -1,4 +1,4 @@
-"""Polynomials of the `Fast<f32>` kernels: what `tools/coefficients.py` writes to src/kernel/fast/table.rs.
+"""Polynomials of the `Fast<f32>` kernels: what `tools/coefficients.py` writes to src/arithmetic/fast/coefficients.rs.
 
 Two kinds. A float polynomial has f32 coefficients. A fixed-point one is evaluated in 32-bit
 integers: x in Q16, the leading coefficient in Qk, the others in Q(k + 16), and no step of
@@ -145,7 +145,7 @@ def write(series_free, newton, text):
             inner = ", ".join(str(v + 2**15) for v in whole[1:-1])
             lines += [f"pub(crate) const {name}: FixedPoint<{len(c) - 2}> = FixedPoint {{ "
                       f"first: {whole[0]}, inner: [{inner}], last: {int(c[-1] * 2**k)} }};"]
-    path = "src/kernel/fast/table.rs"
+    path = "src/arithmetic/fast/coefficients.rs"
     with open(path, "w") as out:
         out.write("\n".join(lines) + "\n")
     subprocess.run(["rustfmt", "--edition", "2024", path], check=True)

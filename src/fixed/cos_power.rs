@@ -15,7 +15,8 @@ use crate::CosSin;
 use ::fixed::types::{I1F31, U16F16};
 use rand_core::Rng;
 
-/// The law ∝ cosᵏθ of [`CosPower`](crate::CosPower), its exponent k in fixed point from 0 to 65536 − 2⁻¹⁶.
+/// The law ∝ cosᵏθ of [`CosPower`](crate::CosPower), its exponent k in fixed point from 0 to 65536
+/// − 2⁻¹⁶.
 ///
 /// It holds k + 1, 1/(k + 1) and (k + 1)/2π, so that no operation divides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -103,7 +104,8 @@ impl CosPower {
     fn log_of(at: CosSin<i32>) -> Number {
         let (cos, sin) = ((at.cos as u32) << 1, (at.sin as u32) << 1);
         let beside_axis = sin < cos;
-        // cos² = 1 − sin² beside the axis; from √½ down to ½ the cosine is still the greater part of 1.
+        // cos² = 1 − sin² beside the axis; from √½ down to ½ the cosine is still the greater part
+        // of 1.
         let (m, e) = if beside_axis {
             let (m, shift) = normal(sin);
             let (m, more) = normal(mul_high(m, m));

@@ -5,7 +5,8 @@ use rand_core::Rng;
 
 /// A format of the results and the kernels that are accurate to it. Sealed.
 ///
-/// Inside, all formats share one scale, words of 32 bits: components in Q31, where 2³¹ is 1, all else in Q32.
+/// Inside, all formats share one scale, words of 32 bits: components in Q31, where 2³¹ is 1, all
+/// else in Q32.
 pub trait Format: Copy {
     /// What the constructor is called.
     const NAME: &str;

@@ -13,9 +13,9 @@ use rand_core::Rng;
 
 /// The law `L` in integers of the format `F`: [`Fixed`](type@Fixed) or [`Fixed16`](type@Fixed16).
 ///
-/// Meaning and formulas are those of the law inside; numbers, errors and costs stand in the [module](super). No
-/// floating-point instruction or routine is linked, no division, no table; no operation overflows or panics for any
-/// word.
+/// Meaning and formulas are those of the law inside; numbers, errors and costs stand in the
+/// [module](super). No floating-point instruction or routine is linked, no division, no table; no
+/// operation overflows or panics for any word.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct Integers<F, L>(pub L, PhantomData<F>);
 
@@ -103,8 +103,8 @@ impl<F: Format, L: Formulas<F>> Integers<F, L> {
         of_words::<F>(self.0.warp_tails(lower::<F>(u)))
     }
 
-    /// (cos θ, sin θ) at sf = `q`: [`warp`](Self::warp) entered from the other end, which reaches the horizon by
-    /// itself, not by 1 − u.
+    /// (cos θ, sin θ) at sf = `q`: [`warp`](Self::warp) entered from the other end, which reaches
+    /// the horizon by itself, not by 1 − u.
     #[inline]
     pub fn warp_sf(&self, q: F::Probability) -> CosSin<F::Component> {
         of_words::<F>(self.0.warp_tails(upper::<F>(q)))
@@ -112,7 +112,8 @@ impl<F: Format, L: Formulas<F>> Integers<F, L> {
 
     /// cdf at a direction: the inverse of [`warp`](Self::warp).
     ///
-    /// Reads the smaller of cos θ and sin θ; any pair is safe, no value is promised for one that is no unit vector.
+    /// Reads the smaller of cos θ and sin θ; any pair is safe, no value is promised for one that
+    /// is no unit vector.
     #[inline]
     pub fn unwarp(&self, at: CosSin<F::Component>) -> F::Probability {
         F::probability(self.0.unwarp_tails(words::<F>(at)).lower)
@@ -126,15 +127,16 @@ impl<F: Format, L: Formulas<F>> Integers<F, L> {
 
     /// Density of a direction: rad⁻¹ in the plane, sr⁻¹ in space.
     ///
-    /// 0 below the horizon (cos θ < 0) and, in space, for sin θ < 0. For cos θ > 0 it is never 0, but at least one unit,
-    /// so that a weight can be divided by it. Reads cos θ alone ([`CosPower`](super::CosPower): the smaller of cos θ and
-    /// sin θ).
+    /// 0 below the horizon (cos θ < 0) and, in space, for sin θ < 0. For cos θ > 0 it is never 0,
+    /// but at least one unit, so that a weight can be divided by it. Reads cos θ alone
+    /// ([`CosPower`](super::CosPower): the smaller of cos θ and sin θ).
     #[inline]
     pub fn density(&self, at: CosSin<F::Component>) -> L::Density {
         self.0.density(words::<F>(at))
     }
 
-    /// Density of θ in turns: **per radian** in the plane, per dθ dφ in radians in space (the paper's q).
+    /// Density of θ in turns: **per radian** in the plane, per dθ dφ in radians in space (the
+    /// paper's q).
     #[inline]
     pub fn pdf(&self, theta: F::Turn) -> L::Density {
         self.0.pdf(F::of_turn(theta))
@@ -164,8 +166,8 @@ impl<F: Format, L: Formulas<F>> Integers<F, L> {
         F::turn(self.0.quantile_tails(upper::<F>(p)))
     }
 
-    /// Draws \[sin θ, cos θ\] in the plane, \[sin θ cos φ, cos θ, sin θ sin φ\] in space: a unit vector to 4 units
-    /// (`Fixed16`: 2), cos θ > 0.
+    /// Draws \[sin θ, cos θ\] in the plane, \[sin θ cos φ, cos θ, sin θ sin φ\] in space: a unit
+    /// vector to 4 units (`Fixed16`: 2), cos θ > 0.
     ///
     /// Randomness: the words of the table in the [module](super), each by `next_u32`.
     #[inline]
@@ -187,8 +189,8 @@ impl<F: Format, L: defmt::Format> defmt::Format for Integers<F, L> {
     }
 }
 
-/// (cos, sin) of an angle in turns, ±1 saturated: to 1.4975 units of 2⁻³¹ (exhaustive, worst word 0x60003fa5) of an
-/// `I0F32`, to 1 unit of 2⁻¹⁵ of an `I0F16`.
+/// (cos, sin) of an angle in turns, ±1 saturated: to 1.4975 units of 2⁻³¹ (exhaustive, worst word
+/// 0x60003fa5) of an `I0F32`, to 1 unit of 2⁻¹⁵ of an `I0F16`.
 #[inline]
 pub fn cos_sin<T: Turn>(turn: T) -> CosSin<<T::Format as Format>::Component> {
     let (cos, sin) = T::Format::cos_sin(T::Format::of_turn(turn) as u32);

@@ -1,10 +1,11 @@
 //! The laws in integers alone (feature `fixed`): for processors without a floating-point unit.
 //!
-//! [`Fixed`](type@Fixed)`(Ball)` is the law [`Ball`](crate::Ball) in fixed point, with the operations that
-//! [`Law`](crate::Law) has for floats under the same names; [`Fixed16`](type@Fixed16)`(Ball)` has half the bits, for a
-//! third of the instructions on a Cortex-M0, whose only multiply is one of 32 bits to 32. On a core with a long multiply
-//! the two are nearer, and `Fixed` is the better choice unless memory decides. Their numbers are those of the `fixed`
-//! crate:
+//! [`Fixed`](type@Fixed)`(Ball)` is the law [`Ball`](crate::Ball) in fixed point, with the
+//! operations that [`Law`](crate::Law) has for floats under the same names;
+//! [`Fixed16`](type@Fixed16)`(Ball)` has half the bits, for a third of the instructions on a
+//! Cortex-M0, whose only multiply is one of 32 bits to 32. On a core with a long multiply the two
+//! are nearer, and `Fixed` is the better choice unless memory decides. Their numbers are those of
+//! the `fixed` crate:
 //!
 //! | number | `Fixed` | `Fixed16` | from | to |
 //! |---|---|---|---|---|
@@ -14,19 +15,20 @@
 //! | density, per radian or steradian | `U0F32`; `U16F16` for [`CosPower`] | `U0F16` | 0 | 1 − one unit; 65536 |
 //! | exponent | `U16F16` | – | 0 | 65536 − 2⁻¹⁶ |
 //!
-//! The unit is that of the last place: 2⁻³¹, 2⁻³² and 2⁻¹⁶ for the types of `Fixed`, 2⁻¹⁵ and 2⁻¹⁶ for those of
-//! `Fixed16`. All bits of a word are used: an angle in turns wraps where the word does, and no density of the six plain
-//! laws exceeds 2/π. ±1 **saturates** to one unit less, so that a component can be negated; the probability 1
-//! does too. θ lies in \[−¼, ¼\] turn in the plane and \[0, ¼\] in space, both ends exact; outside it the density is 0 and the
-//! cdf 0 or 1.
+//! The unit is that of the last place: 2⁻³¹, 2⁻³² and 2⁻¹⁶ for the types of `Fixed`, 2⁻¹⁵ and 2⁻¹⁶
+//! for those of `Fixed16`. All bits of a word are used: an angle in turns wraps where the word
+//! does, and no density of the six plain laws exceeds 2/π. ±1 **saturates** to one unit less, so
+//! that a component can be negated; the probability 1 does too. θ lies in \[−¼, ¼\] turn in the
+//! plane and \[0, ¼\] in space, both ends exact; outside it the density is 0 and the cdf 0 or 1.
 //!
-//! [`CosPower`] has no 16-bit form: densities (k + 1)/2π · cosᵏθ take more than 16 bits, and beside θ = 1/√k the rounding
-//! of a pair alone, by half a unit, moves the density by (k + 1)/2π · √(k/e) units of 2⁻¹⁶: 50 at k = 64.
+//! [`CosPower`] has no 16-bit form: densities (k + 1)/2π · cosᵏθ take more than 16 bits, and
+//! beside θ = 1/√k the rounding of a pair alone, by half a unit, moves the density by (k + 1)/2π ·
+//! √(k/e) units of 2⁻¹⁶: 50 at k = 64.
 //!
 //! # Errors
 //!
-//! In units of the last place of the result; the larger of an operation and its counterpart from the other end. Those of
-//! `Fixed`:
+//! In units of the last place of the result; the larger of an operation and its counterpart from
+//! the other end. Those of `Fixed`:
 //!
 //! | | `warp` | unit length | `unwarp` | `density` | `pdf` | `cdf` | `quantile` |
 //! |---|---|---|---|---|---|---|---|
@@ -39,7 +41,8 @@
 //! | `CosPower`, k ≤ 7.25 | 2.5 | 2 | | 1.01 · 2⁻¹⁶ | 1.01 · 2⁻¹⁶ | 6 | 2 |
 //! | `CosPower`, k < 65536 | 2.5 | 2 | | 30 · 2⁻¹⁶ | 1.5 · 2⁻¹⁶ | 180 | 2 |
 //!
-//! `tests/fixed.rs` asserts these bounds. `warp` was tried on **every** word; its worst components and lengths:
+//! `tests/fixed.rs` asserts these bounds. `warp` was tried on **every** word; its worst components
+//! and lengths:
 //!
 //! | | component | at | length | at |
 //! |---|---|---|---|---|
@@ -50,11 +53,11 @@
 //! | `SphereShell` | 3.228 | 0xc9016ed4 | 3.021 | 0xff0b3c90 |
 //! | `Lambert` | 1.000 | 0x00000000 | 1.131 | 0x7b0fe247 |
 //!
-//! In the other cells 7·10⁷ words (10⁵ for `CosPower`) and the corners lie within the bounds. `unwarp`
-//! and `density` are judged at a pair rounded to its format.
+//! In the other cells 7·10⁷ words (10⁵ for `CosPower`) and the corners lie within the bounds.
+//! `unwarp` and `density` are judged at a pair rounded to its format.
 //!
-//! Those of `Fixed16`, on **every** input, with the worst of them in hex (the probability, the angle, or cos θ and
-//! sin θ):
+//! Those of `Fixed16`, on **every** input, with the worst of them in hex (the probability, the
+//! angle, or cos θ and sin θ):
 //!
 //! | | `warp` | unit length | `unwarp` | `density` | `pdf` | `cdf` | `quantile` |
 //! |---|---|---|---|---|---|---|---|
@@ -65,12 +68,13 @@
 //! | `SphereShell` | 1.38 (c752) | 1.18 (3277) | 3.32 (7fc0, 07f0) | 0.86 (7d49, 1a35) | 1.96 (1e90) | 2.81 (209c) | 1.05 (8d5f) |
 //! | `Lambert` | 1 (0000) | 1.01 (57b8) | 2.43 (59c4, 5b3e) | 0.75 (7f54, 0d10) | 1.43 (3072) | 2.71 (1e0a) | 1.07 (7e68) |
 //!
-//! The pairs are all whose length is 1 to a unit; `unwarp` is judged at a pair's angle, `density` at its cosine. Where 1 saturates, the error is 1. [`cos_sin`] is within
-//! 1 unit for all phases, a square root within 0.4, a cube root within 0.5 before the last rounding. A sample's component is within 1.7
-//! units of the closed form of its words (10⁶ samples a law), its length within 1.5.
-//! `quantile` and `cdf` keep the order of their arguments: those of `CircleArc`, `CircleShell` and `Lambert` always, `Disk`'s and
-//! `Ball`'s cdf and `Ball`'s and `SphereShell`'s quantile but for a unit here and there.
-//! `tests/fixed16.rs` asserts all this.
+//! The pairs are all whose length is 1 to a unit; `unwarp` is judged at a pair's angle, `density`
+//! at its cosine. Where 1 saturates, the error is 1. [`cos_sin`] is within 1 unit for all phases,
+//! a square root within 0.4, a cube root within 0.5 before the last rounding. A sample's component
+//! is within 1.7 units of the closed form of its words (10⁶ samples a law), its length within 1.5.
+//! `quantile` and `cdf` keep the order of their arguments: those of `CircleArc`, `CircleShell` and
+//! `Lambert` always, `Disk`'s and `Ball`'s cdf and `Ball`'s and `SphereShell`'s quantile but for a
+//! unit here and there. `tests/fixed16.rs` asserts all this.
 //!
 //! # Words of randomness
 //!
@@ -84,9 +88,10 @@
 //! | `CircleShell` | 2 | √(v (2 − v)), v of 64 bits |
 //! | `CircleArc` | 1 | of ± that many quarter turns |
 //!
-//! U^(1/n) is the largest of n uniform numbers: so no root is taken of a word, and cos θ is as fine as its format, down
-//! to 2⁻³¹ (for `Ball` that has probability 2⁻¹²⁴). Beside the axis 1 − cos θ continues with the bits of the words that lost, to
-//! 2⁻⁶⁴. Whatever the generator gives, cos θ > 0 and the direction has unit length to 4 units.
+//! U^(1/n) is the largest of n uniform numbers: so no root is taken of a word, and cos θ is as
+//! fine as its format, down to 2⁻³¹ (for `Ball` that has probability 2⁻¹²⁴). Beside the axis 1 −
+//! cos θ continues with the bits of the words that lost, to 2⁻⁶⁴. Whatever the generator gives,
+//! cos θ > 0 and the direction has unit length to 4 units.
 //!
 //! | law, in `Fixed16` | words | cos θ | azimuth or sign |
 //! |---|---|---|---|
@@ -97,16 +102,17 @@
 //! | `CircleShell` | 1 | √(v (2 − v)), v of 32 bits | its lowest bit |
 //! | `CircleArc` | 1 | of ± that many quarter turns | its lowest bit |
 //!
-//! U^(1/n) is the largest of n uniform numbers, so that no root is taken for cos θ. Beside the axis it continues with the bits of the halves that
-//! lost, to 2⁻³²: sin θ = √(1 − cos²θ) has no grid there but that of its own format. `SphereShell` has 2¹⁶ azimuths, the others in space 2¹⁹.
+//! U^(1/n) is the largest of n uniform numbers, so that no root is taken for cos θ. Beside the
+//! axis it continues with the bits of the halves that lost, to 2⁻³²: sin θ = √(1 − cos²θ) has no
+//! grid there but that of its own format. `SphereShell` has 2¹⁶ azimuths, the others in space 2¹⁹.
 //! Whatever the generator gives, cos θ > 0 and the direction has unit length to 2 units.
 //!
 //! # Cost
 //!
-//! Instructions, flash, stack and words of every operation on Cortex-M0, M3, M4F and RV32IMC stand in
-//! `docs/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole sample with its azimuth costs what
-//! `warp` takes for θ alone. The 64-bit product, one instruction on the larger cores, is four products on Cortex-M0, with
-//! the same bits; `Fixed16` has none.
+//! Instructions, flash, stack and words of every operation on Cortex-M0, M3, M4F and RV32IMC stand
+//! in `docs/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole sample
+//! with its azimuth costs what `warp` takes for θ alone. The 64-bit product, one instruction on
+//! the larger cores, is four products on Cortex-M0, with the same bits; `Fixed16` has none.
 //!
 //! ```
 //! use coslobe::{Fixed, Fixed16, Lambert};

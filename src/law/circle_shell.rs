@@ -2,10 +2,10 @@
 
 use super::Planar;
 use super::formulas::{Fixed, Formulas, Own};
-use crate::kernel::select::{planar, planar_pair, within};
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::native::format::Native;
+use crate::law::select::{planar, planar_pair, within};
 use crate::number::Real;
-use crate::number::kernel::{Kernel, Wide};
-use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 

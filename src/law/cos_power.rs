@@ -2,14 +2,14 @@
 
 use super::Spatial;
 use super::formulas::{Formulas, In, Own, SolidAngle};
-use crate::kernel::moment::cosine_integrals;
-use crate::kernel::pair::Pair;
-use crate::kernel::power::ln;
-use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::moment::cosine_integrals;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::power::ln;
+use crate::arithmetic::tier::Holds;
+use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
 use crate::number::Real;
-use crate::number::kernel::{Kernel, Wide};
-use crate::number::native::Native;
-use crate::number::tier::Holds;
 use crate::{CosSin, Moments, Tails};
 use core::fmt;
 use rand_core::Rng;

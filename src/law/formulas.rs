@@ -4,11 +4,11 @@
 //! of a number type's tier, and their results are rounded to it.
 
 use super::{Law, Spatial};
-use crate::kernel::select::into_support;
+use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::format::Native;
+use crate::arithmetic::tier::{Holds, Margin};
+use crate::law::select::into_support;
 use crate::number::Real;
-use crate::number::kernel::Kernel;
-use crate::number::native::Native;
-use crate::number::tier::{Holds, Margin};
 use crate::{CosSin, Moments, Tails};
 
 /// What [`Law`] promises, in working arithmetic.

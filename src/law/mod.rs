@@ -7,6 +7,7 @@ mod cos_power;
 mod disk;
 mod formulas;
 mod lambert;
+mod select;
 mod sphere_shell;
 
 pub use ball::Ball;
@@ -17,11 +18,11 @@ pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
 pub use sphere_shell::SphereShell;
 
-use crate::kernel::select::into_support;
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::tier::{Holds, Margin};
+use crate::law::select::into_support;
 use crate::number::Real;
-use crate::number::kernel::{Kernel, Wide};
-use crate::number::tier::{Holds, Margin};
-use crate::{CosSin, Frame, Moments, Tails, uniform};
+use crate::{CosSin, Frame, Moments, Sample, Tails, uniform};
 use rand_core::Rng;
 
 /// What every law can tell of the angle θ from the axis +y, in radians.
@@ -139,6 +140,18 @@ pub trait Planar<T: Real>: Law<T> {
         let CosSin { cos, sin } = self.warp_tails(uniform::tails(rng));
         [sin, cos]
     }
+
+    /// Draws the direction of [`sample`](Planar::sample) with its cosine, sine and density: the
+    /// same words, the same bits.
+    #[inline]
+    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 2> {
+        let at = self.warp_tails(uniform::tails(rng));
+        Sample {
+            direction: [at.sin, at.cos],
+            at,
+            density: self.density(at),
+        }
+    }
 }
 
 /// Laws of a direction in space, uniform in azimuth.
@@ -156,7 +169,26 @@ pub trait Spatial<T: Real>: Law<T> {
         spherical(at, uniform::azimuth(rng))
     }
 
-    /// Draws a direction around the unit vector `normal`. Randomness as [`sample`](Spatial::sample).
+    /// Draws the direction of [`sample`](Spatial::sample) with its cosine, sine and density: the
+    /// same words, the same bits.
+    #[inline]
+    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
+        let at = self.warp_tails(uniform::tails(rng));
+        Sample {
+            direction: spherical(at, uniform::azimuth(rng)),
+            at,
+            density: self.density(at),
+        }
+    }
+
+    /// Draws a direction around the unit vector `normal`.
+    ///
+    /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
+    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may lose its
+    /// sign, so that a direction beside the horizon can come out on the surface or below it: weigh
+    /// it by the cosine and density of
+    /// [`sample_around_with_density`](Spatial::sample_around_with_density).
+    /// Randomness as [`sample`](Spatial::sample).
     ///
     /// ```
     /// # use coslobe::{Lambert, Spatial};
@@ -167,6 +199,18 @@ pub trait Spatial<T: Real>: Law<T> {
     #[inline]
     fn sample_around<R: Rng + ?Sized>(&self, normal: [T; 3], rng: &mut R) -> [T; 3] {
         Frame::from_unit(normal).to_world(Spatial::sample(self, rng))
+    }
+
+    /// Draws the direction of [`sample_around`](Spatial::sample_around) with the cosine, sine and
+    /// density that it was drawn with: the same words, the same bits.
+    #[inline]
+    fn sample_around_with_density<R: Rng + ?Sized>(
+        &self,
+        normal: [T; 3],
+        rng: &mut R,
+    ) -> Sample<T, 3> {
+        let frame = Frame::from_unit(normal);
+        Spatial::sample_with_density(self, rng).rotated(|d| frame.to_world(d))
     }
 
     /// The direction at cdf of θ = `u[0]` and azimuth φ = `u[1]` turns: for stratified or

@@ -2,10 +2,10 @@
 
 use super::Spatial;
 use super::formulas::{Fixed, Formulas, Own, SolidAngle};
-use crate::kernel::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::native::format::Native;
+use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
 use crate::number::Real;
-use crate::number::kernel::{Kernel, Wide};
-use crate::number::native::Native;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 

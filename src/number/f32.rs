@@ -1,14 +1,14 @@
 //! `f32`: native single precision; no operation touches `f64`.
 
 use super::Real;
-use super::native::Native;
-use super::scalar::Scalar;
-use super::tier::{Holds, Margin, Tier};
-use crate::kernel::pair::Pair;
-use crate::kernel::table::{Constants, Table};
-use crate::kernel::table_f32::{CONSTANTS, TABLE};
-use crate::kernel::turn::{at_quadrant, merge_if_odd};
-use crate::kernel::uniform::f32 as uniform;
+use crate::arithmetic::native::coefficients_f32::{CONSTANTS, TABLE};
+use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::table::{Constants, Table};
+use crate::arithmetic::native::turn::{at_quadrant, merge_if_odd};
+use crate::arithmetic::native::uniform::f32 as uniform;
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 

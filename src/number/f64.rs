@@ -1,14 +1,14 @@
 //! `f64`: native double precision.
 
 use super::Real;
-use super::native::Native;
-use super::scalar::Scalar;
-use super::tier::{Holds, Margin, Tier};
-use crate::kernel::pair::Pair;
-use crate::kernel::table::{Constants, Table};
-use crate::kernel::table_f64::{CONSTANTS, TABLE};
-use crate::kernel::turn::at_quadrant;
-use crate::kernel::uniform::f64 as uniform;
+use crate::arithmetic::native::coefficients_f64::{CONSTANTS, TABLE};
+use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::table::{Constants, Table};
+use crate::arithmetic::native::turn::at_quadrant;
+use crate::arithmetic::native::uniform::f64 as uniform;
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 

@@ -1,15 +1,9 @@
 //! Number types: a format and an accuracy tier at once, one a file.
 
-mod double;
 pub(crate) mod f32;
 pub(crate) mod f64;
 mod fast;
-pub(crate) mod kernel;
-pub(crate) mod native;
 mod precise;
-pub(crate) mod scalar;
-mod scaled;
-pub(crate) mod tier;
 
 pub use fast::Fast;
 pub use precise::Precise;
@@ -20,4 +14,4 @@ pub use precise::Precise;
 /// Sealed. A law's formula is written once; its number type decides the arithmetic that runs it.
 /// `f32` is computed in `f32` alone, on every target. What each type costs and how well it does is in the
 /// tables of [`accuracy`](crate::accuracy).
-pub trait Real: tier::Tier {}
+pub trait Real: crate::arithmetic::tier::Tier {}

@@ -2,7 +2,7 @@
 
 use crate::generators::good;
 use crate::limits::{SHARE, sides};
-use coslobe::check::{self, Alarm, Report};
+use coslobe::self_test::{self, Alarm, Report};
 use coslobe::{CircleArc, Lambert};
 use rayon::prelude::*;
 use statrs::distribution::{DiscreteCDF, Poisson};
@@ -12,12 +12,12 @@ pub(crate) fn reports(seeds: u64) -> Vec<Report> {
     let run = |seed| {
         let mut rng = good(seed);
         if seed % 4 == 0 {
-            let mut check = check::planar::<f32, _>(CircleArc);
-            check.run(&mut rng, check::FEWEST);
+            let mut check = self_test::planar::<f32, _>(CircleArc);
+            check.run(&mut rng, self_test::FEWEST);
             check.verdict(Alarm::OneInMillion)
         } else {
-            let mut check = check::spatial::<f32, _>(Lambert);
-            check.run(&mut rng, check::FEWEST);
+            let mut check = self_test::spatial::<f32, _>(Lambert);
+            check.run(&mut rng, self_test::FEWEST);
             check.verdict(Alarm::OneInMillion)
         }
     };
@@ -119,7 +119,7 @@ fn the_limits_hold_for_counts() {
         let [_, most] = sides(cells.len() as u8, share);
         poisson_tail(cells, most) / share
     };
-    let n = f64::from(check::FEWEST);
+    let n = f64::from(self_test::FEWEST);
     let mut polar = vec![n / 32.0; 30];
     for halving in [6.0, 7.0, 8.0, 8.0] {
         polar.extend([n * 0.5f64.powf(halving); 2]);

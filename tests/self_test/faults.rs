@@ -2,7 +2,7 @@
 
 use crate::generators::{self, Words};
 use crate::samplers::{self, Verdict, judged};
-use coslobe::check::{self, Fault, InPlane, InSpace, Statistic};
+use coslobe::self_test::{self, Fault, InPlane, InSpace, Statistic};
 use coslobe::{Disk, Fast, Lambert, Precise};
 
 const SEEDS: std::ops::Range<u64> = 0..8;
@@ -20,7 +20,7 @@ pub(crate) fn name(verdict: &Verdict) -> Option<String> {
 }
 
 fn by_default(run: samplers::Run, rng: &mut Words) -> Verdict {
-    run(rng, &[check::SAMPLES])[0]
+    run(rng, &[self_test::SAMPLES])[0]
 }
 
 fn lambert(rng: &mut Words) -> Verdict {
@@ -105,11 +105,11 @@ fn every_type_sees_a_biased_and_a_stuck_generator() {
 fn samples_alone_show_a_stuck_top_bit() {
     use coslobe::Spatial;
     let mut rng = generators::stuck_bit(1, 31, true);
-    let mut check = check::spatial::<f32, _>(Lambert);
-    for _ in 0..check::SAMPLES {
+    let mut check = self_test::spatial::<f32, _>(Lambert);
+    for _ in 0..self_test::SAMPLES {
         check.feed(&Spatial::sample(&Lambert, &mut rng));
     }
-    let verdict = check.verdict(check::Alarm::OneInBillion);
+    let verdict = check.verdict(self_test::Alarm::OneInBillion);
     assert_eq!(name(&verdict).as_deref(), Some("Azimuth"));
 }
 

@@ -7,7 +7,7 @@ const FREEDOMS: [u8; 8] = [7, 15, 32, 37, 39, 41, 43, 63];
 const ALARMS: [f64; 2] = [1e-6, 1e-9];
 /// Eight statistics on two sides, twice over: see `alarms::the_limits_hold_for_counts`.
 pub(crate) const SHARE: f64 = 32.0;
-const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/check/table.rs");
+const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/self_test/table.rs");
 
 /// Where a monotone function crosses 0, between 0 and 1000.
 fn root(rises: impl Fn(f64) -> bool) -> f64 {
@@ -53,15 +53,15 @@ fn table() -> String {
 
 #[test]
 fn committed_limits_are_those_of_chi_squared() {
-    let committed = include_str!("../../src/check/table.rs");
+    let committed = include_str!("../../src/self_test/table.rs");
     assert!(
         committed == table(),
-        "src/check/table.rs is out of date: cargo test --test self_test -- --ignored write_limits"
+        "src/self_test/table.rs is out of date: cargo test --test self_test -- --ignored write_limits"
     );
 }
 
 #[test]
-#[ignore = "writes src/check/table.rs: cargo test --release --test self_test -- --ignored"]
+#[ignore = "writes src/self_test/table.rs: cargo test --release --test self_test -- --ignored"]
 fn write_limits() {
     std::fs::write(PATH, table()).unwrap();
 }

@@ -5,7 +5,7 @@ use crate::faults::name;
 use crate::generators::{self, good};
 use crate::samplers::{self, Verdict, judged};
 use coslobe::Lambert;
-use coslobe::check::{Check, InSpace};
+use coslobe::self_test::{Check, InSpace};
 use rayon::prelude::*;
 use std::fmt::Write;
 

@@ -1,8 +1,8 @@
 //! Planted faults of a sampler.
 
 use crate::generators::Words;
-use coslobe::check::{Alarm, Check, Fault, InPlane, InSpace, Invalid, Place, Report, Subject};
 use coslobe::rand_core::Rng;
+use coslobe::self_test::{Alarm, Check, Fault, InPlane, InSpace, Invalid, Place, Report, Subject};
 use coslobe::{
     CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial, SphereShell,
     uniform,

@@ -1,24 +1,24 @@
 //! What the interface promises beside statistics.
 
 use crate::generators::good;
-use coslobe::check::{self, Alarm, Check, Fault, InSpace, Invalid, Place, Subject};
 use coslobe::rand_core::Rng;
+use coslobe::self_test::{self, Alarm, Check, Fault, InSpace, Invalid, Place, Subject};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Planar, Precise, Real, Spatial,
     SphereShell,
 };
 
 fn passes<S: Subject>(mut check: Check<S>) {
-    check.run(&mut good(3), check::SAMPLES);
+    check.run(&mut good(3), self_test::SAMPLES);
     check.verdict(Alarm::OneInMillion).unwrap();
 }
 
 fn every_law<T: Real>(k: T) {
     fn plane<T: Real>(law: impl Planar<T>) {
-        passes(check::planar::<T, _>(law));
+        passes(self_test::planar::<T, _>(law));
     }
     fn space<T: Real>(law: impl Spatial<T>) {
-        passes(check::spatial::<T, _>(law));
+        passes(self_test::spatial::<T, _>(law));
     }
     plane::<T>(Disk);
     plane::<T>(CircleShell);
@@ -45,21 +45,21 @@ fn integers_are_checked_by_integers() {
     use crate::generators::{biased, period, stuck_bit};
     use coslobe::Fixed;
     use fixed::types::I1F31;
-    passes(check::fixed(Fixed(Disk)));
-    passes(check::fixed(Fixed(CircleShell)));
-    passes(check::fixed(Fixed(CircleArc)));
-    passes(check::fixed(Fixed(Ball)));
-    passes(check::fixed(Fixed(SphereShell)));
-    passes(check::fixed(Fixed(Lambert)));
+    passes(self_test::fixed(Fixed(Disk)));
+    passes(self_test::fixed(Fixed(CircleShell)));
+    passes(self_test::fixed(Fixed(CircleArc)));
+    passes(self_test::fixed(Fixed(Ball)));
+    passes(self_test::fixed(Fixed(SphereShell)));
+    passes(self_test::fixed(Fixed(Lambert)));
     let lobe = coslobe::fixed::CosPower::new(fixed::types::U16F16::from_num(7.3));
-    passes(check::fixed(Fixed(lobe)));
+    passes(self_test::fixed(Fixed(lobe)));
     for mut bad in [stuck_bit(1, 4, true), biased(1, !0, 0.05), period(1, 300)] {
-        let mut check = check::fixed(Fixed(Lambert));
-        check.run(&mut bad, check::SAMPLES);
+        let mut check = self_test::fixed(Fixed(Lambert));
+        check.run(&mut bad, self_test::SAMPLES);
         assert!(check.verdict(Alarm::OneInBillion).is_err());
     }
     let invalid = |sample: [f64; 3]| {
-        let mut check = check::fixed(Fixed(Lambert));
+        let mut check = self_test::fixed(Fixed(Lambert));
         check.feed(&sample.map(I1F31::saturating_from_num));
         check.verdict(Alarm::OneInBillion)
     };
@@ -80,8 +80,8 @@ fn integers_are_checked_by_integers() {
 
 #[test]
 fn too_few_samples_are_no_verdict() {
-    let mut check = check::spatial::<f32, _>(Lambert);
-    check.run(&mut good(1), check::FEWEST - 1);
+    let mut check = self_test::spatial::<f32, _>(Lambert);
+    check.run(&mut good(1), self_test::FEWEST - 1);
     let fault = check.verdict(Alarm::OneInMillion).unwrap_err();
     assert_eq!(fault, Fault::TooFew { samples: 4095 });
     assert_eq!(
@@ -95,10 +95,10 @@ fn too_few_samples_are_no_verdict() {
 /// Every number of samples finds its limits; after the last possible one nothing is counted.
 #[test]
 fn any_number_of_samples_can_be_judged() {
-    let mut check = check::spatial::<f32, _>(Lambert);
+    let mut check = self_test::spatial::<f32, _>(Lambert);
     let mut rng = good(1);
-    check.run(&mut rng, check::FEWEST - 1);
-    for n in check::FEWEST..=u16::MAX {
+    check.run(&mut rng, self_test::FEWEST - 1);
+    for n in self_test::FEWEST..=u16::MAX {
         check.run(&mut rng, 1);
         if n % 61 == 0 || n == u16::MAX || (n & (n - 1)) == 0 {
             let report = check.verdict(Alarm::OneInBillion).unwrap();
@@ -124,7 +124,7 @@ fn invalid_samples_are_named_and_the_first_is_kept() {
         ([0.6, -0.8, 0.0], Invalid::Support),
     ];
     for (sample, why) in cases {
-        let mut check = check::spatial::<f32, _>(Lambert);
+        let mut check = self_test::spatial::<f32, _>(Lambert);
         check.feed(&[0.6, 0.8, 0.0]);
         check.feed(&sample);
         check.feed(&[f32::NAN; 3]);
@@ -185,8 +185,8 @@ fn own_subjects_and_a_sampler_that_stops_it_early() {
         }
     }
     passes(Check::new(Own));
-    let mut check = check::spatial::<f32, _>(Lambert);
-    check.run(&mut crate::generators::period(1, 3), check::SAMPLES);
+    let mut check = self_test::spatial::<f32, _>(Lambert);
+    check.run(&mut crate::generators::period(1, 3), self_test::SAMPLES);
     let fault = check.verdict(Alarm::OneInBillion).unwrap_err();
     assert_eq!(
         fault,
@@ -203,10 +203,10 @@ fn own_subjects_and_a_sampler_that_stops_it_early() {
 
 #[test]
 fn a_fault_is_explained() {
-    let mut check = check::spatial::<f32, _>(Lambert);
+    let mut check = self_test::spatial::<f32, _>(Lambert);
     check.run(
         &mut crate::generators::stuck_bit(1, 9, true),
-        check::SAMPLES,
+        self_test::SAMPLES,
     );
     let text = check.verdict(Alarm::OneInBillion).unwrap_err().to_string();
     assert!(

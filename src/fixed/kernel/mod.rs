@@ -1,5 +1,5 @@
-//! What both formats' kernels are made of: u32 words as Q31 or Q32, long products counted since a Cortex-M0 pays
-//! sixteen instructions for each.
+//! What both formats' kernels are made of: u32 words as Q31 or Q32, long products counted since a
+//! Cortex-M0 pays sixteen instructions for each.
 
 pub(crate) mod mul;
 pub(crate) mod normal;

@@ -2,8 +2,8 @@
 
 use super::coefficients::{KEPLER, KEPLER_MIDDLE};
 
-/// The angle from the nearer end in quarter turns, Q32 (1 saturates), at z = ∛p in Q32, p ≤ ½; rounded to the 17 bits that
-/// [`quarter`](super::turn::quarter) reads.
+/// The angle from the nearer end in quarter turns, Q32 (1 saturates), at z = ∛p in Q32, p ≤ ½;
+/// rounded to the 17 bits that [`quarter`](super::turn::quarter) reads.
 #[inline(always)]
 pub(crate) fn from_end(z: u32) -> u32 {
     let high = z >> 16;

@@ -1,4 +1,5 @@
-//! The format of [`Fixed16`](type@super::Fixed16): 16 bits, by products of 16 by 16 bits alone, one instruction each on a Cortex-M0.
+//! The format of [`Fixed16`](type@super::Fixed16): 16 bits, by products of 16 by 16 bits alone,
+//! one instruction each on a Cortex-M0.
 //!
 //! Arguments and results of kernels are the words of 32 bits that the laws work in.
 

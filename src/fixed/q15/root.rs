@@ -1,6 +1,7 @@
 //! Roots and reciprocals.
 //!
-//! A root of a mantissa m ≥ ½ is 1 − (1 − m) q, where the polynomial q has errors that 1 − m ≤ ½ halves.
+//! A root of a mantissa m ≥ ½ is 1 − (1 − m) q, where the polynomial q has errors that 1 − m ≤ ½
+//! halves.
 
 use super::coefficients::{CBRT, RECIP, SQRT};
 use super::word::mul;

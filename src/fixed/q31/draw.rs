@@ -10,9 +10,10 @@ use rand_core::Rng;
 
 /// The largest of N uniform words, X, in Q64.
 ///
-/// X has the law of U^(1/N): a maximum costs a comparison where a root costs a hundred instructions, and
-/// is as fine near 0 as the word itself. Near 1 it continues with the bits of the words that lost: given the
-/// maximum they are uniform below it, so their exclusive or is uniform (to 1 − X, relatively).
+/// X has the law of U^(1/N): a maximum costs a comparison where a root costs a hundred
+/// instructions, and is as fine near 0 as the word itself. Near 1 it continues with the bits of
+/// the words that lost: given the maximum they are uniform below it, so their exclusive or is
+/// uniform (to 1 − X, relatively).
 #[inline(always)]
 pub(crate) fn largest<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
     let (mut largest, mut mixed) = (0, 0);

@@ -1,9 +1,10 @@
 //! Square and fourth roots.
 //!
-//! r ≈ 1/√m from a polynomial of degree 3, once improved by Newton's step, gives √m to 16 bits; the exact
-//! remainder of its square gives the other 16. Two long products, all others short.
+//! r ≈ 1/√m from a polynomial of degree 3, once improved by Newton's step, gives √m to 16 bits;
+//! the exact remainder of its square gives the other 16. Two long products, all others short.
 //!
-//! Errors in units of 2⁻³¹, exhaustive: √x 0.8333 (worst word 0x7ca48747), ⁴√x 0.9974 (0x617930aa).
+//! Errors in units of 2⁻³¹, exhaustive: √x 0.8333 (worst word 0x7ca48747), ⁴√x 0.9974
+//! (0x617930aa).
 
 use super::coefficients::RECIP_SQRT;
 use crate::fixed::kernel::halve;
@@ -19,7 +20,8 @@ fn of_mantissa(m: u32, odd: u32) -> u32 {
     let r = r + (((r * ROOT_TWO_LESS_ONE + (1 << 14)) >> 15) & odd.wrapping_neg());
     let (m, lost) = (m >> odd, (m & odd) as i32);
     let s = (mul_high(m, r << 13) + (1 << 13)) >> 14; // Q16
-    // Both differences are small; s = 2¹⁶ makes its square and its shift wrap, and the sum wraps back.
+    // Both differences are small; s = 2¹⁶ makes its square and its shift wrap, and the sum wraps
+    // back.
     let rest = m.wrapping_sub(s.wrapping_mul(s)) as i32;
     let slope = ((r + 1) >> 1) as i32; // Q16
     let low = (((rest & 3) * 2 + lost) * slope) >> 3;

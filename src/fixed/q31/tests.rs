@@ -1,5 +1,6 @@
-//! Every kernel against `f64`, whose error of 10⁻⁶ units is none here: in strides always, and on every input by
-//! `cargo test --release --features fixed --lib fixed::q31 -- --ignored --nocapture --test-threads 1`.
+//! Every kernel against `f64`, whose error of 10⁻⁶ units is none here: in strides always, and on
+//! every input by `cargo test --release --features fixed --lib fixed::q31 -- --ignored --nocapture
+//! --test-threads 1`.
 extern crate std;
 
 use super::coefficients::{TURN_COS, TURN_SIN};

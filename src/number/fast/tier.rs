@@ -1,10 +1,10 @@
 //! `Fast<f32>` as a number type: its words, and no rounding after the formulas.
 
 use super::Fast;
-use super::kernel::fast;
-use crate::kernel::fast::uniform;
+use crate::arithmetic::fast::kernel::fast;
+use crate::arithmetic::fast::uniform;
+use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
-use crate::number::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 

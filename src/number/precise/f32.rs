@@ -1,15 +1,15 @@
 //! `Precise<f32>`: `f64` with a rounding test, double-double where it cannot decide.
 
 use super::Precise;
-use super::nearest::Grid;
-use crate::kernel::double::Double;
-use crate::kernel::pair::Pair;
-use crate::kernel::uniform::f32::parts_of_turn;
+use crate::arithmetic::double::Double;
+use crate::arithmetic::double::nearest::Grid;
+use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::uniform::f32::parts_of_turn;
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
 use crate::number::f64::power_of_two;
-use crate::number::kernel::Kernel;
-use crate::number::scalar::Scalar;
-use crate::number::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -27,16 +27,10 @@ impl Holds<Precise<f32>> for Double {
     }
 }
 
-pub(super) const GRID: Grid = Grid {
-    digits: 24,
-    least: -126,
-    infinity: f32::INFINITY.to_bits() as u64,
-};
-
 /// The `f32` nearest to hi + lo.
 fn nearest_f32(x: Double) -> f32 {
     if x.hi.is_normal() {
-        f32::from_bits(GRID.nearest(x, 0) as u32).copysign(x.hi as f32)
+        f32::from_bits(Grid::F32.nearest(x, 0) as u32).copysign(x.hi as f32)
     } else {
         x.hi as f32
     }

@@ -1,16 +1,16 @@
 //! `Precise<f64>`: double-double, with an exponent of its own where `f64`'s would not reach.
 
 use super::Precise;
-use super::nearest::{Grid, is_moderate};
-use crate::kernel::double::Double;
-use crate::kernel::pair::Pair;
-use crate::kernel::uniform::f64::parts_of_turn;
+use crate::arithmetic::double::Double;
+use crate::arithmetic::double::nearest::{Grid, is_moderate};
+use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::uniform::f64::parts_of_turn;
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::scaled::Scaled;
+use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
 use crate::number::f64::power_of_two;
-use crate::number::kernel::Kernel;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::number::tier::{Holds, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -27,16 +27,10 @@ impl Holds<Precise<f64>> for Double {
     }
 }
 
-pub(super) const GRID: Grid = Grid {
-    digits: 53,
-    least: -1022,
-    infinity: f64::INFINITY.to_bits(),
-};
-
 fn nearest_f64(x: Scaled) -> f64 {
     let hi = x.part.hi;
     if hi.is_finite() && hi != 0.0 {
-        f64::from_bits(GRID.nearest(x.part, x.exponent)).copysign(hi)
+        f64::from_bits(Grid::F64.nearest(x.part, x.exponent)).copysign(hi)
     } else {
         hi
     }

@@ -2,9 +2,8 @@
 
 mod f32;
 mod f64;
-mod nearest;
 
-use super::scalar::Scalar;
+use crate::arithmetic::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The most accurate tier of a format: the laws' results are rounded once, from wider arithmetic.

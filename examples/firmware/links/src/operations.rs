@@ -114,9 +114,9 @@ pub(crate) fn fixed_everything(x: u32, rng: &mut Words) -> u32 {
         ^ fixed_law(SphereShell, x, rng)
         ^ fixed_law(Lambert, x, rng)
         ^ fixed_law(fixed_power(x), x, rng)
-        ^ u32::from(sound(check::fixed(Fixed(Disk)), rng))
-        ^ u32::from(sound(check::fixed(Fixed(Lambert)), rng))
-        ^ u32::from(sound(check::fixed(Fixed(fixed_power(x))), rng))
+        ^ u32::from(sound(self_test::fixed(Fixed(Disk)), rng))
+        ^ u32::from(sound(self_test::fixed(Fixed(Lambert)), rng))
+        ^ u32::from(sound(self_test::fixed(Fixed(fixed_power(x))), rng))
 }
 
 fn fixed_law<L>(law: L, x: u32, rng: &mut Words) -> u32
@@ -202,7 +202,8 @@ pub(crate) fn everything<T: Number>(x: u32, rng: &mut Words) -> u32 {
     if let Ok(frame) = Frame::new([x, sum, one]) {
         sum = sum + frame.to_local([one, x, sum])[0] + frame.to_world([one, x, sum])[0];
     }
-    if sound(check::spatial::<T, _>(Lambert), rng) ^ sound(check::planar::<T, _>(Disk), rng) {
+    if sound(self_test::spatial::<T, _>(Lambert), rng) ^ sound(self_test::planar::<T, _>(Disk), rng)
+    {
         sum = sum + one;
     }
     let around: [T; 3] = Ball.sample_around([sum, x, one], rng);
@@ -230,9 +231,9 @@ fn law<T: Real>(law: &impl Law<T>, x: T) -> T {
         + m.var_theta
 }
 
-fn sound<S: check::Subject>(mut check: check::Check<S>, rng: &mut Words) -> bool {
-    check.run(rng, check::SAMPLES);
-    check.verdict(check::Alarm::OneInBillion).is_ok()
+fn sound<S: self_test::Subject>(mut check: self_test::Check<S>, rng: &mut Words) -> bool {
+    check.run(rng, self_test::SAMPLES);
+    check.verdict(self_test::Alarm::OneInBillion).is_ok()
 }
 
 fn point<T: Real>(law: &impl SpatialPoint<T>, rho: Radius<T>, x: T, rng: &mut Words) -> T {

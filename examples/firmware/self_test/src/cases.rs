@@ -2,11 +2,11 @@
 //! compare verdicts.
 
 use core::convert::Infallible;
-use coslobe::check::{
-    self, Alarm, Check, Fault, InFixed, InSpace, Invalid, Place, Report, Subject,
-};
 use coslobe::fixed::CosPower;
 use coslobe::rand_core::{Rng, TryRng};
+use coslobe::self_test::{
+    self, Alarm, Check, Fault, InFixed, InSpace, Invalid, Place, Report, Subject,
+};
 use coslobe::{CircleArc, CircleShell, Disk, Fast, Fixed, Lambert, Planar, SphereShell};
 use fixed::types::U16F16;
 use rand_pcg::Pcg32;
@@ -43,27 +43,27 @@ pub(crate) fn verdict(name: &str) -> Option<Result<Report, Fault>> {
     let mut rng = generator(name)?;
     let rng = &mut rng;
     Some(match name {
-        "fast" => judge(check::spatial::<Fast<f32>, _>(SphereShell), rng),
-        "plane" => judge(check::planar::<f32, _>(Disk), rng),
+        "fast" => judge(self_test::spatial::<Fast<f32>, _>(SphereShell), rng),
+        "plane" => judge(self_test::planar::<f32, _>(Disk), rng),
         "law" => judge(Check::new(LambertForShell), rng),
-        "arc" => fed(check::planar::<f32, _>(CircleShell), || {
+        "arc" => fed(self_test::planar::<f32, _>(CircleShell), || {
             Planar::sample(&CircleArc, rng)
         }),
         "nan" => {
-            let mut check = check::spatial::<f32, _>(Lambert);
+            let mut check = self_test::spatial::<f32, _>(Lambert);
             check.feed(&[f32::NAN, 0.8, 0.6]);
             check.verdict(Alarm::OneInBillion)
         }
-        "fixed" | "fixed-stuck" => judge(check::fixed(Fixed(Lambert)), rng),
-        "fixed-plane" | "fixed-plane-biased" => judge(check::fixed(Fixed(Disk)), rng),
+        "fixed" | "fixed-stuck" => judge(self_test::fixed(Fixed(Lambert)), rng),
+        "fixed-plane" | "fixed-plane-biased" => judge(self_test::fixed(Fixed(Disk)), rng),
         "fixed-power" | "fixed-power-bit" => judge(power(), rng),
         "fixed-power-law" => fed(power(), || Fixed(SphereShell).sample(rng)),
-        _ => judge(check::spatial::<f32, _>(Lambert), rng),
+        _ => judge(self_test::spatial::<f32, _>(Lambert), rng),
     })
 }
 
 fn judge<S: Subject>(mut check: Check<S>, rng: &mut Generator) -> Result<Report, Fault> {
-    check.run(rng, check::SAMPLES);
+    check.run(rng, self_test::SAMPLES);
     check.verdict(Alarm::OneInBillion)
 }
 
@@ -72,14 +72,14 @@ fn fed<S: Subject>(
     mut check: Check<S>,
     mut draw: impl FnMut() -> S::Sample,
 ) -> Result<Report, Fault> {
-    for _ in 0..check::SAMPLES {
+    for _ in 0..self_test::SAMPLES {
         check.feed(&draw());
     }
     check.verdict(Alarm::OneInBillion)
 }
 
 fn power() -> Check<InFixed<CosPower>> {
-    check::fixed(Fixed(CosPower::new(EXPONENT)))
+    self_test::fixed(Fixed(CosPower::new(EXPONENT)))
 }
 
 /// The generator of a case.

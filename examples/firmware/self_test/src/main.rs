@@ -30,7 +30,7 @@ fn main() -> ! {
 /// Instructions of the checked and counted sample beyond those of the sample alone.
 fn cost(case: &str) -> Option<u32> {
     use core::hint::black_box;
-    use coslobe::{Lambert, Spatial, check};
+    use coslobe::{Lambert, Spatial, self_test};
     const N: u16 = 4096;
     if case != "cost" {
         return None;
@@ -41,7 +41,7 @@ fn cost(case: &str) -> Option<u32> {
         black_box::<[f32; 3]>(Spatial::sample(black_box(&Lambert), &mut rng));
     }
     let alone = ticks.elapsed();
-    let mut check = check::spatial::<f32, _>(Lambert);
+    let mut check = self_test::spatial::<f32, _>(Lambert);
     ticks.restart();
     check.run(&mut rng, N);
     let checked = ticks.elapsed();

@@ -1,0 +1,182 @@
+//! Double-double as a working arithmetic: what the `Precise` tiers compute in.
+
+use crate::arithmetic::double::{Double, root};
+use crate::arithmetic::kernel::Wide;
+use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::tier::Holds;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `result`, or its leading word alone where a zero or an overflow has left NaN in the trailing one.
+#[inline(always)]
+fn settled(leading: f64, result: Double) -> Double {
+    if leading.is_finite() && leading != 0.0 {
+        result
+    } else {
+        Pair::exact(leading)
+    }
+}
+
+impl Add for Double {
+    type Output = Self;
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        let sum = Pair::add(self, b);
+        // Leading words that cancel leave the trailing ones.
+        if sum.hi.is_finite() && sum.hi != 0.0 {
+            sum
+        } else {
+            Pair::exact(self.hi + b.hi)
+        }
+    }
+}
+
+impl Sub for Double {
+    type Output = Self;
+    #[inline]
+    fn sub(self, b: Self) -> Self {
+        self + -b
+    }
+}
+
+impl Mul for Double {
+    type Output = Self;
+    #[inline]
+    fn mul(self, b: Self) -> Self {
+        settled(self.hi * b.hi, Pair::mul(self, b))
+    }
+}
+
+impl Div for Double {
+    type Output = Self;
+    #[inline]
+    fn div(self, b: Self) -> Self {
+        settled(self.hi / b.hi, Pair::div(self, b))
+    }
+}
+
+impl Neg for Double {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Pair::neg(self)
+    }
+}
+
+impl Scalar for Double {
+    const ZERO: Self = Pair { hi: 0.0, lo: 0.0 };
+    const QUARTER: Self = Pair { hi: 0.25, lo: 0.0 };
+    const HALF: Self = Pair { hi: 0.5, lo: 0.0 };
+    const ONE: Self = Pair { hi: 1.0, lo: 0.0 };
+    const INFINITY: Self = Pair {
+        hi: f64::INFINITY,
+        lo: 0.0,
+    };
+    const NAN: Self = Pair {
+        hi: f64::NAN,
+        lo: 0.0,
+    };
+    const MIN_NORMAL: Self = Pair {
+        hi: f64::MIN_POSITIVE,
+        lo: 0.0,
+    };
+    const MAX: Self = Pair {
+        hi: f64::MAX,
+        lo: 0.0,
+    };
+    const HALF_PI_DOWN: Self = <f64 as Native>::CONSTANTS.half_pi;
+
+    #[inline(always)]
+    fn int(n: i16) -> Self {
+        Pair::exact(f64::from(n))
+    }
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        self.hi.is_nan()
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.hi.is_finite()
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.negate_if(self.hi.is_sign_negative())
+    }
+    #[inline(always)]
+    fn sign_bit(self) -> u32 {
+        self.hi.sign_bit()
+    }
+    #[inline(always)]
+    fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
+        let (a_hi, b_hi) = f64::swap_if_odd(n, a.hi, b.hi);
+        let (a_lo, b_lo) = f64::swap_if_odd(n, a.lo, b.lo);
+        (Pair { hi: a_hi, lo: a_lo }, Pair { hi: b_hi, lo: b_lo })
+    }
+    #[inline(always)]
+    fn negate_if_odd(self, n: u32) -> Self {
+        Pair {
+            hi: self.hi.negate_if_odd(n),
+            lo: self.lo.negate_if_odd(n),
+        }
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        self.negate_if(self.hi.is_sign_negative() != sign.hi.is_sign_negative())
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        root::sqrt(self)
+    }
+}
+
+/// A double-double carries its own trailing digits, so that it is its own wide type.
+impl Wide<Double> for Double {
+    #[inline(always)]
+    fn exact(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn value(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn leading(self) -> Self {
+        self
+    }
+    #[inline]
+    fn sum(a: Self, b: Self) -> Self {
+        a + b
+    }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        -self
+    }
+    #[inline]
+    fn times(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline]
+    fn mul(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        self + b
+    }
+    #[inline]
+    fn div(self, b: Self) -> Self {
+        self / b
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        root::sqrt(self)
+    }
+}
+
+impl Holds<f64> for Double {
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        Pair::exact(x)
+    }
+}

@@ -1,0 +1,85 @@
+//! Angles to (cos, sin) and back.
+
+use super::coefficients::{ATAN, COS, EIGHTH_COS, EIGHTH_SIN, HALF_TURN, SIN};
+use super::fixed::horner;
+use super::root::unusual;
+use core::f32::consts::{FRAC_PI_2, PI};
+
+/// π/2 less the `f32` nearest to it.
+const HALF_PI_LO: f32 = -4.371139e-8;
+const HALF_PI_DOWN: f32 = f32::from_bits(FRAC_PI_2.to_bits() - 1);
+const SIGN: u32 = 1 << 31;
+
+/// π/2 − a, which keeps its digits beside π/2.
+#[inline(always)]
+pub(crate) fn from_end(a: f32) -> f32 {
+    (FRAC_PI_2 - a) + HALF_PI_LO
+}
+
+/// (cos θ, |sin θ|) for |θ| ≤ π/2.
+///
+/// Each is an odd polynomial of the distance from its own zero: no folding, and both relative.
+#[inline]
+pub(crate) fn sin_cos(theta: f32) -> (f32, f32) {
+    let a = theta.abs();
+    let eta = from_end(a);
+    (eta * horner(eta * eta, &COS), a * horner(a * a, &SIN))
+}
+
+/// (cos 2πx, sin 2πx) for |x| ≤ 1/8.
+#[inline]
+pub(crate) fn eighth_turn(x: f32) -> (f32, f32) {
+    let v = x * x;
+    (horner(v, &EIGHTH_COS), x * horner(v, &EIGHTH_SIN))
+}
+
+/// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ 1/2: cos is that of the angle from the axis.
+#[inline]
+pub(crate) fn half_turn(p: f32) -> (f32, f32) {
+    let d = 0.5 - p;
+    (p * horner(p * p, &HALF_TURN), d * horner(d * d, &HALF_TURN))
+}
+
+#[cold]
+fn ratio_of_unusual(smaller: f32, larger: f32) -> f32 {
+    if larger.is_nan() {
+        larger
+    } else if larger > smaller || larger == 0.0 {
+        0.0
+    } else {
+        1.0
+    }
+}
+
+/// atan2(|y|, ±|x|), in [0, π].
+#[inline(always)]
+fn upper_half(y: u32, x: u32, behind: bool) -> f32 {
+    let steep = y > x;
+    let (smaller, larger) = (f32::from_bits(y.min(x)), f32::from_bits(y.max(x)));
+    let t = if unusual(larger.to_bits()) {
+        ratio_of_unusual(smaller, larger)
+    } else {
+        smaller / larger
+    };
+    let r = t * horner(t * t, &ATAN);
+    // 0 + r, π/2 ∓ r or π − r. The rounded-down π/2 keeps the first quadrant inside the support.
+    let flat = if behind { PI.to_bits() } else { 0 };
+    let right = if behind { FRAC_PI_2 } else { HALF_PI_DOWN }.to_bits();
+    let mask = u32::from(steep).wrapping_neg();
+    let base = (right & mask) | (flat & !mask);
+    f32::from_bits(base) + f32::from_bits(r.to_bits() ^ (u32::from(steep != behind) << 31))
+}
+
+/// atan2(|y|, |x|), in [0, π/2].
+#[inline]
+pub(crate) fn atan2_first(y: f32, x: f32) -> f32 {
+    upper_half(y.to_bits() & !SIGN, x.to_bits() & !SIGN, false)
+}
+
+/// atan2(y, x) in all quadrants.
+#[inline]
+pub(crate) fn atan2(y: f32, x: f32) -> f32 {
+    let (y, x) = (y.to_bits(), x.to_bits());
+    let a = upper_half(y & !SIGN, x & !SIGN, x & SIGN != 0);
+    f32::from_bits(a.to_bits() ^ (y & SIGN))
+}

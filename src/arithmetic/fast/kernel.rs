@@ -1,0 +1,232 @@
+//! The formulas' arithmetic in `Fast<f32>`.
+
+use crate::arithmetic::fast::{angle, kepler, power, root};
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::table::Constants;
+use crate::arithmetic::native::trig;
+use crate::arithmetic::native::turn::into_quadrant;
+use crate::arithmetic::scalar::Scalar;
+use crate::number::Fast;
+use crate::{CosSin, Tails};
+
+/// What rounding took does not count here: a number is its own wide type.
+impl Wide<Fast<f32>> for Fast<f32> {
+    #[inline(always)]
+    fn exact(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn value(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn leading(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn sum(a: Self, b: Self) -> Self {
+        a + b
+    }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        -self
+    }
+    #[inline(always)]
+    fn times(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        self * b
+    }
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        self + b
+    }
+    #[inline(always)]
+    fn div(self, b: Self) -> Self {
+        self / b
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Scalar::sqrt(self)
+    }
+}
+
+#[inline(always)]
+pub(crate) fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
+    CosSin {
+        cos: Fast(cos),
+        sin: Fast(sin),
+    }
+}
+
+/// √f(a) where f would lose digits of a.
+#[cold]
+fn root_of_subnormal(a: Fast<f32>, f: impl Fn(Fast<f32>) -> Fast<f32>) -> Fast<f32> {
+    Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
+}
+
+/// c·eᵃ where eᵃ alone would leave the range of the format.
+#[cold]
+fn far_exp_times(a: f32, c: Fast<f32>) -> Fast<f32> {
+    let half = Fast(power::exp(a * 0.5));
+    (c * half) * half
+}
+
+const fn constant(pair: Pair<f32>) -> Fast<f32> {
+    Fast(pair.hi)
+}
+
+impl Kernel for Fast<f32> {
+    type Wide = Self;
+
+    const CONSTANTS: Constants<Self> = {
+        let c = <f32 as Native>::CONSTANTS;
+        Constants {
+            half_pi: constant(c.half_pi),
+            two_pi: constant(c.two_pi),
+            pi: constant(c.pi),
+            recip_pi: constant(c.recip_pi),
+            two_over_pi: constant(c.two_over_pi),
+            recip_two_pi: constant(c.recip_two_pi),
+            twelve_pi: constant(c.twelve_pi),
+            three_over_two_pi: constant(c.three_over_two_pi),
+            two_over_three_pi: constant(c.two_over_three_pi),
+            ln_2: constant(c.ln_2),
+            ln_two_pi: constant(c.ln_two_pi),
+            ln_pi: constant(c.ln_pi),
+            ln_two_over_pi: constant(c.ln_two_over_pi),
+            ln_three_over_two_pi: constant(c.ln_three_over_two_pi),
+        }
+    };
+
+    #[inline(always)]
+    fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
+        if a.0 < f32::MIN_POSITIVE {
+            root_of_subnormal(a, f)
+        } else {
+            Scalar::sqrt(f(a))
+        }
+    }
+    #[inline(always)]
+    fn fourth_root(self) -> (Self, Self) {
+        let root = Fast(root::fourth_root(self.0));
+        (root, root * root)
+    }
+    #[inline(always)]
+    fn cbrt(self) -> Self {
+        Fast(root::cbrt(self.0))
+    }
+    #[inline(always)]
+    fn cbrt_wide(self) -> Self {
+        Kernel::cbrt(self)
+    }
+    /// True: nothing is refined.
+    #[inline(always)]
+    fn is_negligible(self) -> bool {
+        true
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        Fast(power::ln(self.0))
+    }
+    #[inline(always)]
+    fn ln_cos(at: CosSin<Self>) -> Self {
+        Fast(power::ln_cos(at.cos.0, at.sin.0))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        Fast(angle::atan2(self.0, x.0))
+    }
+    #[inline(always)]
+    fn angle(at: CosSin<Self>) -> Self {
+        Fast(angle::atan2_first(at.sin.0, at.cos.0)).copysign(at.sin)
+    }
+    #[inline(always)]
+    fn from_end(a: Self) -> Self {
+        Fast(angle::from_end(a.0))
+    }
+    #[inline(always)]
+    fn at_angle(theta: Self) -> CosSin<Self> {
+        fast(angle::sin_cos(theta.0))
+    }
+    /// By `f32`'s kernel: a power multiplies the relative error of the cosine.
+    #[inline(always)]
+    fn at_angle_fine(theta: Self) -> CosSin<Self> {
+        let CosSin { cos, sin } = trig::at_angle(theta.0);
+        fast((cos.value(), sin.value()))
+    }
+    #[inline(always)]
+    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
+        into_quadrant(quadrant, fast(angle::eighth_turn(x.0)))
+    }
+    #[inline(always)]
+    fn at_turn(u: Self) -> CosSin<Self> {
+        let quadrant = (u.0 * 4.0 + 0.5) as u32;
+        Self::at_quadrant(quadrant, Fast(u.0 - quadrant as f32 * 0.25))
+    }
+    #[inline(always)]
+    fn half_turn(p: Self) -> CosSin<Self> {
+        fast(angle::half_turn(p.0))
+    }
+    #[inline(always)]
+    fn disk_tail_at_angle(a: Self) -> Self {
+        Fast(kepler::tail_at_angle(a.0))
+    }
+    #[inline(always)]
+    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self {
+        Fast(kepler::tail_at_pair(cos.0, sin.0))
+    }
+    #[inline(always)]
+    fn disk_pair_at_tail(p: Self) -> CosSin<Self> {
+        fast(kepler::pair_at_tail(p.0))
+    }
+    #[inline(always)]
+    fn disk_angle_at_tail(p: Self) -> Self {
+        Fast(kepler::angle_at_tail(p.0))
+    }
+    #[inline(always)]
+    fn ln_wide(x: Self) -> Self {
+        Kernel::ln(x)
+    }
+    #[inline(always)]
+    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
+        if at.sin.0 < 1e-15 {
+            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
+            -(k * at.sin * at.sin * Self::HALF)
+        } else {
+            k * Self::ln_cos(at)
+        }
+    }
+    #[inline(always)]
+    fn exp_times(a: Self, c: Self) -> Self {
+        if a.0.abs() < 86.0 {
+            c * Fast(power::exp(a.0))
+        } else {
+            far_exp_times(a.0, c)
+        }
+    }
+    #[inline(always)]
+    fn one_minus_exp(a: Self) -> Self {
+        Fast(power::one_minus_exp(a.0))
+    }
+    #[inline(always)]
+    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
+        let log = Fast(power::ln_upper(p.lower().0, p.upper().0));
+        let a = log / n;
+        let sin = if -a.0 < 1e-30 {
+            // sin²θ = −2a, which for large n underflows before its root does. The logarithm is not
+            // positive, and its size has no −0 for a root to keep.
+            Scalar::sqrt((log + log).abs()) / Scalar::sqrt(n)
+        } else {
+            Scalar::sqrt(Self::one_minus_exp(a + a))
+        };
+        CosSin {
+            cos: Self::exp_times(a, Self::ONE),
+            sin,
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Square, cube and fourth roots: the exponent divided, the significand by an integer polynomial of degree 4.
+//!
+//! A native square root is one instruction where there is one, but about 415 on a Cortex-M0 and 51
+//! (`libm`'s) on a Cortex-M4F; this one is about as long everywhere, as are the other two.
+
+use super::coefficients::{CBRT, FOURTH_ROOT, SQRT};
+use super::fixed::FixedPoint;
+
+/// Not normal and positive: subnormal, ±0, ∞, NaN, or negative.
+#[inline(always)]
+pub(crate) const fn unusual(bits: u32) -> bool {
+    const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
+    bits.wrapping_sub(LEAST) >= f32::INFINITY.to_bits() - LEAST
+}
+
+/// 2²⁴: makes a subnormal number normal.
+pub(crate) const UP: f32 = 16_777_216.0;
+
+/// `down` is `root`(2⁻²⁴).
+#[cold]
+fn of_unusual(x: f32, root: fn(f32) -> f32, down: f32) -> f32 {
+    if x < 0.0 {
+        f32::NAN
+    } else if x > 0.0 && x < f32::MIN_POSITIVE {
+        root(x * UP) * down
+    } else {
+        x
+    }
+}
+
+/// The root of 1 + f times `part` (Q15), with the biased exponent `e`; f from the significand of `bits`.
+#[inline(always)]
+fn assemble<const N: usize>(bits: u32, shape: &FixedPoint<N>, part: u32, e: u32) -> f32 {
+    let f = (bits >> 7) & 0xFFFF;
+    let root = shape.at(f as i32).wrapping_add(0x8000) >> 16;
+    let significand = root.wrapping_mul(part) >> 7;
+    f32::from_bits(significand.wrapping_add(e.wrapping_sub(1) << 23))
+}
+
+/// √x; ±0 and +∞ as they are, NaN below 0.
+#[inline]
+pub(crate) fn sqrt(x: f32) -> f32 {
+    let bits = x.to_bits();
+    if unusual(bits) {
+        return of_unusual(x, sqrt, 1.0 / 4096.0);
+    }
+    let n = (bits >> 23) + 127;
+    let part = 32768 + 13573 * (n & 1); // 2^(0, 1/2) in Q15
+    assemble(bits, &SQRT, part, n >> 1)
+}
+
+/// ∛x for x ≥ 0; ±0 and +∞ as they are, NaN below 0.
+#[inline]
+pub(crate) fn cbrt(x: f32) -> f32 {
+    let bits = x.to_bits();
+    if unusual(bits) {
+        return of_unusual(x, cbrt, 1.0 / 256.0);
+    }
+    let n = (bits >> 23) + 254;
+    let third = (n * 171) >> 9; // n / 3 for n ≤ 509
+    let rest = n - 3 * third;
+    let part = 32768 + rest * (7410 + 1107 * rest); // 2^(0, 1/3, 2/3) in Q15
+    assemble(bits, &CBRT, part, third)
+}
+
+/// ⁴√x; ±0 and +∞ as they are, NaN below 0. One pass, so half the cost and the error of two square roots.
+#[inline]
+pub(crate) fn fourth_root(x: f32) -> f32 {
+    let bits = x.to_bits();
+    if unusual(bits) {
+        return of_unusual(x, fourth_root, 1.0 / 64.0);
+    }
+    let n = (bits >> 23) + 381;
+    let rest = n & 3;
+    let part = 32768 + ((rest * (11375 + rest * (951 + 74 * rest))) >> 1); // 2^(0, 1/4, 1/2, 3/4) in Q15
+    assemble(bits, &FOURTH_ROOT, part, n >> 2)
+}

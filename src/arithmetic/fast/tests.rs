@@ -1,0 +1,198 @@
+//! Every kernel against an f64 reference: one table of bounds.
+//!
+//! `cargo test fast` walks each domain in strides; `cargo test --release fast -- --ignored --nocapture` takes
+//! every `f32` of the part of it where the error has its full period, and prints the worst.
+extern crate std;
+
+mod reference;
+mod special;
+
+use super::{angle, coefficients, fixed, kepler, power, root, uniform};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use reference::{cos, end, eta, ln_cos, sin, tail};
+use std::{println, vec::Vec};
+
+/// Every float of the domain has a relative error below 2^bound; `dense` is the part taken whole.
+struct Row {
+    name: &'static str,
+    bound: f64,
+    domain: (f32, f32),
+    dense: (f32, f32),
+    kernel: fn(f32) -> f32,
+    reference: fn(f64) -> f64,
+}
+
+const fn row(
+    name: &'static str,
+    bound: f64,
+    domain: (f32, f32),
+    dense: (f32, f32),
+    kernel: fn(f32) -> f32,
+    reference: fn(f64) -> f64,
+) -> Row {
+    Row {
+        name,
+        bound,
+        domain,
+        dense,
+        kernel,
+        reference,
+    }
+}
+
+const END: f32 = f32::from_bits(core::f32::consts::FRAC_PI_2.to_bits() - 1);
+const HALF_DOWN: f32 = f32::from_bits(0.5f32.to_bits() - 1);
+const TINY: f32 = f32::MIN_POSITIVE;
+const LEAST: f32 = f32::from_bits(1);
+const MAX: f32 = f32::MAX;
+
+// One line a row, so that it reads as the table it is.
+#[rustfmt::skip]
+const ROWS: &[Row] = &[
+    row("sqrt", -14.3, (TINY, MAX), (1.0, 4.0), root::sqrt, libm::sqrt),
+    row("sqrt, subnormal", -14.3, (LEAST, TINY), (LEAST, TINY), root::sqrt, libm::sqrt),
+    row("cbrt, subnormal", -14.2, (LEAST, TINY), (LEAST, TINY), root::cbrt, libm::cbrt),
+    row("fourth_root, subnormal", -14.2, (LEAST, TINY), (LEAST, TINY), root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
+    row("ln, subnormal", -21.4, (LEAST, TINY), (LEAST, TINY), power::ln, libm::log),
+    row("cbrt", -14.2, (TINY, MAX), (1.0, 8.0), root::cbrt, libm::cbrt),
+    row("fourth_root", -14.2, (TINY, MAX), (1.0, 16.0), root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
+    row("sin_cos: cos", -19.7, (TINY, END), (0.01, END), |x| angle::sin_cos(x).0, libm::cos),
+    row("sin_cos: sin", -13.1, (TINY, END), (0.01, END), |x| angle::sin_cos(-x).1, libm::sin),
+    row("eighth_turn: cos", -16.3, (TINY, 0.125), (1e-3, 0.125), |x| angle::eighth_turn(-x).0, |x| libm::cos(TAU * x)),
+    row("eighth_turn: sin", -19.2, (TINY, 0.125), (1e-3, 0.125), |x| angle::eighth_turn(x).1, |x| libm::sin(TAU * x)),
+    row("half_turn: cos", -13.1, (TINY, 0.5), (1e-3, 0.5), |p| angle::half_turn(p).0, |p| libm::sin(PI * p)),
+    row("half_turn: sin", -13.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), |p| angle::half_turn(p).1, |p| libm::sin(PI * (0.5 - p))),
+    row("atan2: flat", -15.0, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2_first(t, 1.0), libm::atan),
+    row("atan2: steep", -15.0, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2(1.0, t), |t| libm::atan2(1.0, t)),
+    row("atan2: steep, behind", -16.5, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2(1.0, -t), |t| libm::atan2(1.0, -t)),
+    row("atan2: flat, behind", -16.5, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2(-t, -1.0), |t| libm::atan2(-t, -1.0)),
+    row("ln", -21.4, (TINY, MAX), (0.25, 4.0), power::ln, libm::log),
+    row("ln_upper", -21.3, (TINY, 0.99), (1e-3, 0.99), |p| power::ln_upper(p, 1.0 - p), |p| libm::log1p(-p)),
+    row("ln_cos", -20.7, (2e-19, END), (0.01, END), |x| power::ln_cos(cos(x), sin(x)), ln_cos),
+    row("cos to the 100th", -13.9, (1e-6, 1.1), (1e-3, 1.1), |x| power::exp(100.0 * power::ln_cos(cos(x), sin(x))), |x| libm::exp(100.0 * ln_cos(x))),
+    row("exp, x < 0", -14.1, (TINY, 87.3), (1e-3, 87.3), |x| power::exp(-x), |x| libm::exp(-x)),
+    row("exp, x > 0", -14.1, (TINY, 88.7), (1e-3, 88.7), power::exp, libm::exp),
+    row("one_minus_exp", -13.8, (TINY, MAX), (1e-3, 32.0), |x| power::one_minus_exp(-x), |x| -libm::expm1(-x)),
+    row("tail_at_angle", -16.2, (TINY, END), (0.01, END), kepler::tail_at_angle, |x| tail(end(x))),
+    row("tail_at_pair", -13.2, (TINY, END), (0.01, END), |x| kepler::tail_at_pair(cos(x), sin(x)), |x| tail(end(x))),
+    row("pair_at_tail: cos", -13.1, (TINY, 0.5), (1e-3, 0.5), |p| kepler::pair_at_tail(p).0, |p| libm::sin(eta(p))),
+    row("pair_at_tail: sin", -13.2, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), |p| kepler::pair_at_tail(p).1, |p| libm::cos(eta(p))),
+    row("angle_at_tail", -14.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), kepler::angle_at_tail, |p| FRAC_PI_2 - eta(p)),
+];
+
+/// log₂ of the worst relative error, and where.
+fn worst(row: &Row, (from, to): (f32, f32), stride: usize) -> (f64, f32) {
+    let inner = (from.to_bits()..=to.to_bits()).step_by(stride);
+    let mut worst = (0.0, 0.0);
+    for x in inner.map(f32::from_bits).chain([to]) {
+        let reference = (row.reference)(f64::from(x));
+        // What is subnormal as an f32 has fewer digits.
+        if reference.abs() < f64::from(TINY) {
+            continue;
+        }
+        let error = (f64::from((row.kernel)(x)) / reference - 1.0).abs();
+        if error.is_nan() {
+            return (f64::NAN, x);
+        }
+        if error > worst.0 {
+            worst = (error, x);
+        }
+    }
+    (libm::log2(worst.0), worst.1)
+}
+
+fn check(part: fn(&Row) -> (f32, f32), stride: usize) {
+    let mut failures = Vec::new();
+    for row in ROWS {
+        let (error, at) = worst(row, part(row), stride);
+        let (name, bound, at) = (row.name, row.bound, at.to_bits());
+        println!("{name:21} 2^{error:.2}, bound 2^{bound:.1}, at {at:#010x}");
+        if error.is_nan() || error > bound {
+            failures.push(name);
+        }
+    }
+    assert!(failures.is_empty(), "{failures:?}");
+}
+
+#[test]
+fn errors_in_strides() {
+    check(|row| row.domain, 1021);
+    check(|row| row.dense, 127);
+}
+
+#[test]
+#[ignore = "opt-in, minutes: cargo test --release fast -- --ignored --nocapture"]
+fn errors_at_every_float() {
+    check(|row| row.dense, 1);
+}
+
+/// Worst relative error of `kernel` over the words 0, stride, 2·stride, ….
+fn worst_turn(stride: usize) -> f64 {
+    let error = |bits: u32| {
+        let turns = (f64::from(bits) + 0.5) / 4294967296.0;
+        let (cos, sin) = uniform::turn(bits);
+        let of = |got: f32, want: f64| (f64::from(got) / want - 1.0).abs();
+        of(cos, libm::cos(TAU * turns)).max(of(sin, libm::sin(TAU * turns)))
+    };
+    let axes =
+        (0..4u32).flat_map(|q| (0..4).map(move |i| (q << 30).wrapping_add(i).wrapping_sub(2)));
+    libm::log2(
+        (0..=u32::MAX)
+            .step_by(stride)
+            .chain(axes)
+            .map(error)
+            .fold(0.0, f64::max),
+    )
+}
+
+#[test]
+fn turns() {
+    let error = worst_turn(1021);
+    assert!(error < -14.0, "2^{error:.2}");
+}
+
+#[test]
+#[ignore = "opt-in, minutes: cargo test --release fast -- --ignored --nocapture"]
+fn turns_of_every_word() {
+    let error = worst_turn(1);
+    println!("turn: 2^{error:.2}");
+    assert!(error < -14.0);
+}
+
+#[test]
+fn tails() {
+    for bits in (0..=u32::MAX)
+        .step_by(1021)
+        .chain([1, 1 << 31, (1 << 31) - 1, u32::MAX])
+    {
+        let n = f64::from(bits & !(1 << 31));
+        let (p, upper) = uniform::tail(bits);
+        assert_eq!(p, ((2.0 * n + 1.0) / 8589934592.0) as f32);
+        assert_eq!(upper, bits >= 1 << 31);
+        assert!(p > 0.0 && p <= 0.5);
+    }
+}
+
+/// A coefficient off by 2⁻¹⁰ of itself is an error that the bounds notice.
+#[test]
+fn planted_errors_are_seen() {
+    let off = 1.0 + 1.0 / 1024.0;
+    let bound = |name| {
+        ROWS.iter()
+            .find(|row| row.name == name)
+            .map(|row| row.bound)
+    };
+    let mut sin = coefficients::SIN;
+    for (i, at) in [(0, 1.0f32), (1, 1.5)] {
+        sin[i] *= off;
+        let got = f64::from(at * fixed::horner(at * at, &sin));
+        let error = libm::log2((got / libm::sin(f64::from(at)) - 1.0).abs());
+        assert!(Some(error) > bound("sin_cos: sin"), "{error}");
+        sin = coefficients::SIN;
+    }
+    let mut sqrt = coefficients::SQRT;
+    sqrt.first = (f64::from(sqrt.first) * f64::from(off)) as u32;
+    let got = f64::from(sqrt.at(1 << 15)) / 2147483648.0;
+    let error = libm::log2((got / libm::sqrt(1.5) - 1.0).abs());
+    assert!(Some(error) > bound("sqrt"), "{error}");
+}

@@ -1,0 +1,84 @@
+//! Inputs that are not ordinary numbers.
+
+use super::{END, TINY};
+use crate::arithmetic::fast::{angle, kepler, power, root};
+
+/// Nothing panics or leaves its range, whatever the input; NaN in, NaN out.
+#[test]
+fn total() {
+    let ones: [fn(f32) -> f32; 14] = [
+        root::sqrt,
+        root::cbrt,
+        root::fourth_root,
+        power::ln,
+        power::exp,
+        power::one_minus_exp,
+        kepler::tail_at_angle,
+        kepler::angle_at_tail,
+        |x| angle::sin_cos(x).0,
+        |x| angle::sin_cos(x).1,
+        |x| angle::eighth_turn(x).0,
+        |x| angle::half_turn(x).1,
+        |x| kepler::pair_at_tail(x).0,
+        |x| kepler::pair_at_tail(x).1,
+    ];
+    let twos: [fn(f32, f32) -> f32; 5] = [
+        angle::atan2_first,
+        angle::atan2,
+        power::ln_upper,
+        power::ln_cos,
+        kepler::tail_at_pair,
+    ];
+    for bits in (0..=u32::MAX).step_by(9973) {
+        let x = f32::from_bits(bits);
+        for f in ones {
+            assert!(f(x).is_nan() || !x.is_nan());
+        }
+        for y in [0.0, -0.0, 1.0, f32::INFINITY, f32::NAN, 1e-40] {
+            for f in twos {
+                f(x, y);
+                f(y, x);
+            }
+        }
+    }
+}
+
+#[test]
+fn special_values() {
+    let inf = f32::INFINITY;
+    for f in [root::sqrt, root::cbrt, root::fourth_root] {
+        assert_eq!((f(0.0), f(inf)), (0.0, inf));
+        assert!(f(-0.0).is_sign_negative() && f(-1.0).is_nan() && f(-inf).is_nan());
+        // Subnormals lie in order between 0 and the least normal number.
+        let (least, most) = (f(f32::from_bits(1)), f(f32::from_bits(0x007F_FFFF)));
+        assert!(0.0 < least && least < most && most <= f(TINY) * 1.001);
+    }
+    assert_eq!(
+        (power::ln(0.0), power::ln(1.0), power::ln(inf)),
+        (-inf, 0.0, inf)
+    );
+    assert!(power::ln(-1.0).is_nan() && power::ln(f32::from_bits(1)) < -87.0);
+    assert_eq!(
+        (power::exp(-inf), power::exp(inf), power::exp(89.0)),
+        (0.0, inf, inf)
+    );
+    assert_eq!(
+        (power::one_minus_exp(0.0), power::one_minus_exp(-inf)),
+        (0.0, 1.0)
+    );
+    assert_eq!(power::ln_cos(1.0, 0.0), 0.0);
+    let (pi, half) = (core::f32::consts::PI, core::f32::consts::FRAC_PI_2);
+    assert_eq!((angle::atan2(0.0, 0.0), angle::atan2(0.0, -0.0)), (0.0, pi));
+    assert_eq!(
+        (angle::atan2(-0.0, -1.0), angle::atan2(1.0, -0.0)),
+        (-pi, half)
+    );
+    assert_eq!(
+        (angle::atan2_first(1.0, inf), angle::atan2_first(inf, 1.0)),
+        (0.0, END)
+    );
+    assert!((angle::atan2_first(inf, inf) - half / 2.0).abs() < 1e-4);
+    assert_eq!(kepler::pair_at_tail(0.0).0, 0.0);
+    assert_eq!(kepler::pair_at_tail(0.5).1, 0.0);
+    assert!(angle::sin_cos(END).0 > 0.0 && kepler::tail_at_angle(END) > 0.0);
+}

@@ -1,0 +1,17 @@
+//! The kernels of `f32` and `f64`, in the format's own operations alone.
+
+pub(crate) mod atan;
+pub(crate) mod cbrt;
+pub(crate) mod coefficients_f32;
+pub(crate) mod coefficients_f64;
+pub(crate) mod format;
+pub(crate) mod kepler;
+pub(crate) mod moment;
+pub(crate) mod pair;
+pub(crate) mod poly;
+pub(crate) mod power;
+pub(crate) mod root;
+pub(crate) mod table;
+pub(crate) mod trig;
+pub(crate) mod turn;
+pub(crate) mod uniform;

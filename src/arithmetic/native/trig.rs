@@ -1,0 +1,84 @@
+//! (cos θ, sin θ) of an angle within the support.
+
+use super::pair::Pair;
+use super::poly::{horner, horner_pair};
+use crate::CosSin;
+use crate::arithmetic::native::format::Native;
+
+/// Cosine and sine in each other's place if `swap`.
+fn swap_if<T>(at: CosSin<T>, swap: bool) -> CosSin<T> {
+    if swap {
+        CosSin {
+            cos: at.sin,
+            sin: at.cos,
+        }
+    } else {
+        at
+    }
+}
+
+/// ln cos θ. Near the axis it is read from the sine: ln of a cosine near 1 has few digits.
+#[inline]
+pub(crate) fn ln_cos<T: Native>(at: CosSin<Pair<T>>) -> T {
+    if at.cos.hi < at.sin.hi {
+        at.cos.value().ln()
+    } else {
+        (-at.sin.times(at.sin).value()).ln_1p() * T::HALF
+    }
+}
+
+/// π/2 − a for 0 ≤ a ≤ π/2, with π/2 to twice the format's digits: cos θ must not
+/// lose its own digits where θ runs into ±π/2.
+#[inline(always)]
+pub(crate) fn from_end<T: Native>(a: T) -> Pair<T> {
+    let d = Pair::fast_sum(T::CONSTANTS.half_pi.hi, -a);
+    Pair::fast_sum(d.hi, d.lo + T::CONSTANTS.half_pi.lo)
+}
+
+/// The angle folded to [0, π/4], and whether cosine and sine change places for it.
+#[inline(always)]
+fn fold<T: Native>(theta: T) -> (Pair<T>, bool) {
+    let a = theta.abs();
+    let far = a > T::CONSTANTS.half_pi.hi * T::HALF;
+    (if far { from_end(a) } else { Pair::exact(a) }, far)
+}
+
+/// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the pdf of
+/// `CircleShell`, whose row in the accuracy table is its error and one rounding.
+#[inline]
+pub(crate) fn small<T: Native>(x: Pair<T>) -> CosSin<Pair<T>> {
+    // Too small to count is 0: subnormal products stall some processors a hundredfold.
+    let v = x.hi * x.hi;
+    let v = T::select(
+        v < T::NEGLIGIBLE * T::NEGLIGIBLE * T::NEGLIGIBLE,
+        T::ZERO,
+        v,
+    );
+    let half_v = v * T::HALF;
+    let w = T::ONE - half_v;
+    let rest = x.lo * w + x.hi * v * horner(v, T::TABLE.sin);
+    let cos_rest = ((T::ONE - w) - half_v) + (v * v * horner(v, T::TABLE.cos) - x.hi * x.lo);
+    CosSin {
+        cos: Pair::fast_sum(w, cos_rest),
+        sin: Pair::fast_sum(x.hi, rest),
+    }
+}
+
+/// (cos θ, |sin θ|) for |θ| ≤ π/2.
+#[inline]
+pub(crate) fn at_angle<T: Native>(theta: T) -> CosSin<Pair<T>> {
+    let (x, far) = fold(theta);
+    swap_if(small(x), far)
+}
+
+/// As [`at_angle`], to about 2⁻⁶⁴ (f64) or 2⁻³³ (f32) relative.
+#[inline]
+pub(crate) fn at_angle_fine<T: Native>(theta: T) -> CosSin<Pair<T>> {
+    let (x, far) = fold(theta);
+    let v = x.mul(x);
+    let sin = x.mul(v).mul(horner_pair(v, &T::TABLE.sin_series)).add(x);
+    let cos = v
+        .mul(horner_pair(v, &T::TABLE.cos_series))
+        .add(Pair::exact(T::ONE));
+    swap_if(CosSin { cos, sin }, far)
+}
