@@ -10,7 +10,7 @@ use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::turn::into_quadrant;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// A power that comes this near to an `f64` is one: c³ of a short c must be met exactly, since it can

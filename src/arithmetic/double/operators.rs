@@ -4,7 +4,7 @@ use crate::arithmetic::double::{Double, root};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `result`, or its leading word alone where a zero or an overflow has left NaN in the trailing one.

@@ -8,7 +8,7 @@ use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::turn::into_quadrant;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// Angles below 2 to the minus this have the cosine 1, and themselves as sine, to all digits.

@@ -10,7 +10,7 @@ use crate::arithmetic::double::{Double, root};
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

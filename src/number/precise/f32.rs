@@ -8,9 +8,9 @@ use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::uniform::f32::parts_of_turn;
-use crate::arithmetic::scalar::Scalar;
 use crate::number::Real;
 use crate::number::tier::{Margin, Tier};
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
