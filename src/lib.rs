@@ -79,6 +79,7 @@ mod moments;
 mod number;
 mod point;
 mod sample;
+mod scalar;
 pub mod self_test;
 mod tails;
 pub mod uniform;
