@@ -37,7 +37,7 @@ step readme-firmware          full  boards         qemu,defmt-print,thumbv7em-no
 
 formats() { # of every workspace
   local manifest
-  for manifest in Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml tests/fixed_cost/Cargo.toml; do
+  for manifest in Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml; do
     cargo fmt --all --check --manifest-path "$manifest"
   done
 }
