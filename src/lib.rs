@@ -76,8 +76,6 @@ pub mod batch;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
-#[cfg(feature = "fixed")]
-pub mod fixed16;
 mod frame;
 pub mod integration;
 mod law;
@@ -85,6 +83,7 @@ mod moments;
 mod number;
 mod point;
 mod sample;
+mod scalar;
 pub mod self_test;
 mod tails;
 pub mod uniform;
@@ -93,9 +92,7 @@ mod weight;
 pub use batch::{Batch, LengthError};
 pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
-pub use fixed::Fixed;
-#[cfg(feature = "fixed")]
-pub use fixed16::Fixed16;
+pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
 pub use law::{
     Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Planar, Spatial,
