@@ -66,23 +66,10 @@
 //!
 //! # Cost
 //!
-//! Instructions of one `sample`, Marsaglia's xorshift32 included / PCG32 included, bytes of flash with the former, bytes
-//! of stack (Rust 1.95, `opt-level = 3`; `python3 tools/fixed_cost.py` counts all operations):
-//!
-//! | | Cortex-M0 | flash | stack | Cortex-M3 | Cortex-M4F |
-//! |---|---|---|---|---|---|
-//! | `Lambert` | 514 / 665 | 1148 | 64 | 176 / 209 | 173 / 223 |
-//! | `SphereShell` | 525 / 716 | 1172 | 64 | 182 / 225 | 179 / 226 |
-//! | `Ball` | 537 / 773 | 1208 | 64 | 188 / 248 | 185 / 250 |
-//! | `CosPower` | 1111 / 1250 | 2532 | 96 | 339 / 382 | 321 / 367 |
-//! | `Disk` | 539 / 691 | 708 | 80 | 148 / 182 | 137 / 182 |
-//! | `CircleShell` | 234 / 329 | 556 | 48 | 99 / 118 | 99 / 133 |
-//! | `CircleArc` | 231 / 280 | 508 | 52 | 70 / 85 | 72 / 87 |
-//!
-//! Maxima are cheaper than roots too: `warp`'s roots of one word, θ alone, cost 329, 649 and 576 instructions on Cortex-M0 for
-//! `Lambert`, `SphereShell` and `Ball`; a whole sample with its azimuth and xorshift32 costs 514, 526 and 535. The 64-bit
-//! product, one instruction on the larger cores, is four products on Cortex-M0, with the same bits. The largest stack of
-//! any operation on any of the three is 160 bytes.
+//! Instructions, flash and stack of every operation on four processors stand in `docs/measured/firmware_cost.md`.
+//! Maxima are cheaper than roots too: `warp` takes roots of one word for θ alone, and costs about as much as a
+//! whole sample with its azimuth. The 64-bit product, one instruction on the larger cores, is four products on
+//! Cortex-M0, with the same bits.
 //!
 //! ```
 //! use coslobe::{Fixed, Lambert};

@@ -59,31 +59,9 @@
 //!
 //! # Cost
 //!
-//! Instructions of one `sample`, Marsaglia's xorshift32 included / PCG32 included, bytes of flash with the former, bytes
-//! of stack, and in brackets what [`Fixed`](crate::Fixed) takes with xorshift32 (Rust 1.95, `opt-level = 3`; `python3 tools/fixed_cost.py` counts all operations):
-//!
-//! | | Cortex-M0 | flash | stack | Cortex-M3 | Cortex-M4F |
-//! |---|---|---|---|---|---|
-//! | `Lambert` | 165 / 262 (514) | 404 (1148) | 36 (64) | 103 / 127 (176) | 106 / 138 (173) |
-//! | `SphereShell` | 177 / 276 (525) | 432 (1172) | 36 (64) | 111 / 135 (182) | 113 / 145 (179) |
-//! | `Ball` | 183 / 328 (537) | 472 (1208) | 36 (64) | 119 / 153 (188) | 119 / 158 (185) |
-//! | `Disk` | 152 / 252 (539) | 376 (708) | 28 (80) | 113 / 137 (148) | 115 / 145 (137) |
-//! | `CircleShell` | 112 / 162 (234) | 304 (556) | 36 (48) | 70 / 83 (99) | 70 / 85 (99) |
-//! | `CircleArc` | 77 / 127 (231) | 188 (508) | 28 (52) | 56 / 70 (70) | 58 / 72 (72) |
-//!
-//! Other operations on Cortex-M0, likewise:
-//!
-//! | | `warp` | `unwarp` | `density` | `pdf` | `cdf` | `quantile` |
-//! |---|---|---|---|---|---|---|
-//! | `Lambert` | 162 (329) | 24 (34) | 19 (32) | 69 (262) | 71 (258) | 201 (525) |
-//! | `SphereShell` | 257 (648) | 30 (60) | 27 (51) | 71 (283) | 76 (281) | 296 (844) |
-//! | `Ball` | 264 (577) | 30 (86) | 30 (71) | 75 (300) | 76 (318) | 302 (773) |
-//! | `Disk` | 195 (771) | 100 (279) | 23 (47) | 70 (261) | 80 (260) | 148 (566) |
-//! | `CircleShell` | 117 (221) | 20 (10) | 8 (7) | 63 (223) | 63 (230) | 169 (428) |
-//! | `CircleArc` | 76 (234) | 87 (226) | 9 (8) | 12 (11) | 22 (16) | 22 (16) |
-//!
-//! The maximum is cheaper than a root here too: `warp` takes one or two roots of a word for θ alone, and costs as much as a whole
-//! sample or more. The largest stack of any operation on any of the three cores is 76 bytes with xorshift32.
+//! Instructions, flash and stack of every operation on four processors stand in `docs/measured/firmware_cost.md`.
+//! The maximum is cheaper than a root here too: `warp` takes one or two roots of a word for θ alone, and costs about
+//! as much as a whole sample or more.
 //!
 //! ```
 //! use coslobe::{Fixed16, Lambert};
