@@ -48,7 +48,7 @@ fn arb() -> Vec<Row> {
 fn against_arb<T: Format + Tier<Raw = T>>(want: impl Fn(&Row) -> T::Wide) {
     let mut checked = 0;
     for row in arb() {
-        let x = T::round(row.argument);
+        let x = T::of(row.argument);
         if x.wide() != row.argument {
             continue; // the argument is not a number of this format
         }

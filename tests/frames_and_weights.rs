@@ -25,7 +25,7 @@ fn normal(rng: &mut Pcg64, i: usize) -> [f64; 3] {
 type Exact<T> = <<T as Tier>::Raw as Format>::Wide;
 
 fn round<T: Tier>(x: f64) -> T {
-    T::of(T::Raw::round(x))
+    T::of(x)
 }
 
 fn orthonormal<T: Tier>() {

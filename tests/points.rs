@@ -47,7 +47,7 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
             * if L::MEASURE == Measure::SphereShell {
                 at.sin
             } else {
-                T::of(T::Raw::round(1.0))
+                T::of(1.0)
             };
         assert_eq!(
             law.point_density(radius, at, r).raw().bits(),
@@ -94,7 +94,7 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
         "{place}: ln density off by {error:e}"
     );
     if root > 0 {
-        let beyond = T::of(T::Raw::round(distance.near() * 1.001 / share.near()));
+        let beyond = T::of(distance.near() * 1.001 / share.near());
         assert_eq!(wide(law.point_density(radius, at, beyond)), 0.0, "{place}");
         assert_eq!(
             wide(law.ln_point_density(radius, at, beyond)),
@@ -108,7 +108,7 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
 fn everywhere<T: Tier>() {
     let mut rng = Pcg64::seed_from_u64(17);
     let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
-    let round = |x| T::of(T::Raw::round(x));
+    let round = |x| T::of(x);
     let least = 2f64.powi(T::Raw::LEAST);
     let (low, high) = (least.log2(), (T::Raw::MAX_VALUE / 4.0).log2());
     for i in 0..20_000 {

@@ -54,7 +54,7 @@ fn in_space<T: Tier>(law: impl Spatial<T>) -> usize {
     let mut words = Pcg64::seed_from_u64(2);
     let (mut worst, mut sunk) = (0.0f64, 0);
     for (i, normal) in normals().enumerate() {
-        let normal = normal.map(|c| T::of(T::Raw::round(c)));
+        let normal = normal.map(|c| T::of(c));
         let word = if i % 2 == 0 {
             HORIZON
         } else {
@@ -98,7 +98,7 @@ fn in_plane<T: Tier>(law: impl Planar<T>) {
 }
 
 fn every_law<T: Tier>() {
-    let power = |k| CosPower::new(T::of(T::Raw::round(k))).expect("a valid exponent");
+    let power = |k| CosPower::new(T::of(k)).expect("a valid exponent");
     let sunk = [
         in_space::<T>(Lambert),
         in_space::<T>(Ball),

@@ -73,13 +73,13 @@ fn number<T: Tier>(list: &mut Vec<Contender>) {
 }
 
 fn of<T: Tier>(x: f64) -> T {
-    T::of(T::Raw::round(x))
+    T::of(x)
 }
 
 fn typed<T: Tier>(at: CosSin<T::Raw>) -> CosSin<T> {
     CosSin {
-        cos: T::of(at.cos),
-        sin: T::of(at.sin),
+        cos: T::of_raw(at.cos),
+        sin: T::of_raw(at.sin),
     }
 }
 
@@ -107,19 +107,25 @@ fn law<T: Tier, L: Law<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l
     let (theta, at) = (angles::<T::Raw>(id.planar()), pairs::<T::Raw>(id.planar()));
     let p = probabilities::<T::Raw>();
     let mut pure = |name, cell| add::<T>(list, id, name, cell, None);
-    pure("pdf", Cell::of(&theta, move |x| law.pdf(T::of(x))));
-    pure("ln_pdf", Cell::of(&theta, move |x| law.ln_pdf(T::of(x))));
-    pure("cdf", Cell::of(&theta, move |x| law.cdf(T::of(x))));
-    pure("sf", Cell::of(&theta, move |x| law.sf(T::of(x))));
+    pure("pdf", Cell::of(&theta, move |x| law.pdf(T::of_raw(x))));
+    pure(
+        "ln_pdf",
+        Cell::of(&theta, move |x| law.ln_pdf(T::of_raw(x))),
+    );
+    pure("cdf", Cell::of(&theta, move |x| law.cdf(T::of_raw(x))));
+    pure("sf", Cell::of(&theta, move |x| law.sf(T::of_raw(x))));
     pure("density", Cell::of(&at, move |x| law.density(typed(x))));
     let weight = Cell::of(&at, move |x| law.lambert_weight(typed(x)));
     pure("lambert_weight", weight);
     pure("unwarp", Cell::of(&at, move |x| law.unwarp(typed(x))));
     pure("unwarp_sf", Cell::of(&at, move |x| law.unwarp_sf(typed(x))));
-    pure("warp", Cell::of(&p, move |x| law.warp(T::of(x))));
-    pure("warp_sf", Cell::of(&p, move |x| law.warp_sf(T::of(x))));
-    pure("quantile", Cell::of(&p, move |x| law.quantile(T::of(x))));
-    pure("isf", Cell::of(&p, move |x| law.isf(T::of(x))));
+    pure("warp", Cell::of(&p, move |x| law.warp(T::of_raw(x))));
+    pure("warp_sf", Cell::of(&p, move |x| law.warp_sf(T::of_raw(x))));
+    pure(
+        "quantile",
+        Cell::of(&p, move |x| law.quantile(T::of_raw(x))),
+    );
+    pure("isf", Cell::of(&p, move |x| law.isf(T::of_raw(x))));
 }
 
 /// Errors of the directions that a sampler makes of the uniforms that it draws.
@@ -134,8 +140,8 @@ fn directions<T: Tier, L: Law<T> + Copy + 'static, const N: usize>(
             id,
             from,
             n,
-            |p| raws(law.warp(T::of(p))),
-            |p| raws(law.warp_sf(T::of(p))),
+            |p| raws(law.warp(T::of_raw(p))),
+            |p| raws(law.warp_sf(T::of_raw(p))),
         )
     }))
 }
@@ -150,7 +156,7 @@ fn planar<T: Tier, L: Planar<T> + Copy + 'static>(list: &mut Vec<Contender>, id:
 fn spatial<T: Tier, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
     law::<T, L>(list, id, l);
     let theta = angles::<T::Raw>(false);
-    let solid = Cell::of(&theta, move |x| l.pdf_solid_angle(T::of(x)));
+    let solid = Cell::of(&theta, move |x| l.pdf_solid_angle(T::of_raw(x)));
     add::<T>(list, id, "pdf_solid_angle", solid, None);
     // Some azimuth: sin θ is judged as the direction holds it.
     let azimuth = uniform::azimuth::<T, _>(&mut generator());

@@ -88,7 +88,8 @@ fn documented(board: &Board, cost: &str) -> Result<String> {
     let cell = cell.map_or("", |cell| cell.trim_end_matches(" |"));
     let (cost, committed): (f64, f64) = (
         cost.parse().while_("reading the cost")?,
-        cell.parse().while_("docs/measured/self_test.md: the row's cost")?,
+        cell.parse()
+            .while_("docs/measured/self_test.md: the row's cost")?,
     );
     if (cost / committed - 1.0).abs() > 0.1 {
         return Err(Failure(format!(

@@ -75,7 +75,7 @@ impl<F: Format> Subject<F> {
             Id::SphereShell => Self::spatial::<T>(id, SphereShell),
             Id::Lambert => Self::spatial::<T>(id, Lambert),
             Id::CosPower(k) => {
-                let law = CosPower::new(T::of(F::round(k))).expect("a valid exponent");
+                let law = CosPower::new(T::of(k)).expect("a valid exponent");
                 // The exponent that the format holds is the one to judge by.
                 Self::spatial::<T>(Id::CosPower(law.exponent().raw().wide()), law)
             }

@@ -89,7 +89,10 @@ pub(super) fn compare(rows: &[Row], report: &mut Report) -> Result<()> {
         return Ok(());
     }
     let outcome = same(&committed, &page(rows, &compiler)).map_err(Failure);
-    report.outcome("docs/measured/shade_firmware.md is what is measured", outcome);
+    report.outcome(
+        "docs/measured/shade_firmware.md is what is measured",
+        outcome,
+    );
     Ok(())
 }
 
