@@ -4,8 +4,8 @@
 //! and regenerate the file: `COSLOBE_BLESS=1 cargo test --test golden`.
 
 use coslobe::rand_core::Rng;
-use coslobe::{Fast, Law, PlanarPoint, Precise, Spatial};
-use kit::catalogue::laws;
+use coslobe::{Fast, Law, Precise, Spatial};
+use kit::catalogue::every_law;
 use kit::stats::claim::Claim;
 use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 use rand_pcg::{Pcg32, Pcg64};
@@ -116,11 +116,11 @@ impl<T: Number> LawVisitor<T> for Lines {
 #[test]
 fn values_are_stable() {
     let mut lines = Lines::default();
-    laws::<f32>(&mut lines, &[7.3]);
-    laws::<f64>(&mut lines, &[7.3]);
-    laws::<Precise<f32>>(&mut lines, &[7.3]);
-    laws::<Precise<f64>>(&mut lines, &[7.3]);
-    laws::<Fast<f32>>(&mut lines, &[7.3]);
+    every_law::<f32>(&mut lines, &[7.3]);
+    every_law::<f64>(&mut lines, &[7.3]);
+    every_law::<Precise<f32>>(&mut lines, &[7.3]);
+    every_law::<Precise<f64>>(&mut lines, &[7.3]);
+    every_law::<Fast<f32>>(&mut lines, &[7.3]);
     if std::env::var_os("COSLOBE_BLESS").is_some() {
         std::fs::write(FILE, &lines.0).expect("the golden file is writable");
         return;

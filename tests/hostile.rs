@@ -1,10 +1,7 @@
 //! Stuck and hostile generators: every sampler ends, draws its documented words and keeps its promises.
 
-use coslobe::{
-    CosSin, Fast, Law, Measure, Planar, PlanarPoint, Precise, Radius, Spatial, SpatialPoint, Tails,
-    uniform,
-};
-use kit::catalogue::laws;
+use coslobe::{CosSin, Fast, Law, Measure, Planar, Precise, Radius, Spatial, Tails, uniform};
+use kit::catalogue::every_law;
 use kit::stats::claim::Claim;
 use kit::stats::words::{Source, Words, hostile};
 use kit::{Drawn, Id, LawVisitor, Number, PlanarLaw, SpatialLaw, TangentLaw};
@@ -205,29 +202,29 @@ const F64_EXPONENTS: [f64; 7] = [0.0, 1e-300, 0.5, 7.3, 1e4, 1e12, f64::MAX];
 #[test]
 fn hostile_generators_f32() {
     uniforms::<f32>();
-    laws::<f32>(&mut Hostile, &F32_EXPONENTS);
+    every_law::<f32>(&mut Hostile, &F32_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_f64() {
     uniforms::<f64>();
-    laws::<f64>(&mut Hostile, &F64_EXPONENTS);
+    every_law::<f64>(&mut Hostile, &F64_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_precise_f32() {
     uniforms::<Precise<f32>>();
-    laws::<Precise<f32>>(&mut Hostile, &F32_EXPONENTS);
+    every_law::<Precise<f32>>(&mut Hostile, &F32_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_precise_f64() {
     uniforms::<Precise<f64>>();
-    laws::<Precise<f64>>(&mut Hostile, &F64_EXPONENTS);
+    every_law::<Precise<f64>>(&mut Hostile, &F64_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_fast_f32() {
     uniforms::<Fast<f32>>();
-    laws::<Fast<f32>>(&mut Hostile, &F32_EXPONENTS);
+    every_law::<Fast<f32>>(&mut Hostile, &F32_EXPONENTS);
 }

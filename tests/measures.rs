@@ -3,8 +3,8 @@
 //! The paper sets out to normalise points uniform on a surface, but its δ(r − 2ρ cos θ) measures a
 //! shell of constant radial thickness. This shows both, and that no law passes for another.
 
-use coslobe::{Fast, Measure, PlanarPoint, Precise, Radius, Spatial, SpatialPoint};
-use kit::catalogue::laws;
+use coslobe::{Fast, Measure, Precise, Radius};
+use kit::catalogue::every_law;
 use kit::stats::claim::Claim;
 use kit::stats::measures::{from_centre, radius, raw_point};
 use kit::stats::{chi2, ks, words};
@@ -43,7 +43,7 @@ impl LawVisitor<f64> for Measures {
 
 fn matrix(planar: bool) {
     let mut laws = Measures::default();
-    laws(&mut laws, &[]);
+    every_law(&mut laws, &[]);
     laws.0.retain(|(_, claim)| claim.planar == planar);
     assert_eq!(laws.0.len(), 3);
     for (measure, _) in &laws.0 {
@@ -175,21 +175,21 @@ impl<T: Number> LawVisitor<T> for Points {
 
 #[test]
 fn points_are_uniform_f32() {
-    laws::<f32>(&mut Points, &[]);
+    every_law::<f32>(&mut Points, &[]);
 }
 
 #[test]
 fn points_are_uniform_f64() {
-    laws::<f64>(&mut Points, &[]);
+    every_law::<f64>(&mut Points, &[]);
 }
 
 #[test]
 fn points_are_uniform_precise() {
-    laws::<Precise<f32>>(&mut Points, &[]);
-    laws::<Precise<f64>>(&mut Points, &[]);
+    every_law::<Precise<f32>>(&mut Points, &[]);
+    every_law::<Precise<f64>>(&mut Points, &[]);
 }
 
 #[test]
 fn points_are_uniform_fast() {
-    laws::<Fast<f32>>(&mut Points, &[]);
+    every_law::<Fast<f32>>(&mut Points, &[]);
 }

@@ -4,14 +4,14 @@ use coslobe::{
     Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Measure, Precise, Radius,
     SphereShell, Tangent,
 };
+use kit::Number;
 use kit::accuracy::format::{Format, error_in_ulps, ulp};
-use kit::accuracy::values::Tier;
 use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 /// Allowed ulps of distances and densities: as the docs of `Tangent` state, or 2⁻¹².
-fn allowed<T: Tier>() -> f64 {
+fn allowed<T: Number>() -> f64 {
     if T::NAME.starts_with("Fast") {
         2f64.powi(T::Raw::DIGITS - 1 - 12)
     } else {
@@ -31,8 +31,8 @@ fn shape<W: Wide>(measure: Measure) -> Option<(W, i32, i32)> {
     }
 }
 
-fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
-    let wide = |x: T| x.raw().wide();
+fn judge<T: Number, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
+    let wide = |x: T| x.wide();
     let exact = |x: T| <T::Raw as Format>::Wide::of(wide(x));
     let allowed = allowed::<T>();
     let radius = Radius::new(rho).expect("a valid radius");
@@ -50,8 +50,8 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
                 T::of(1.0)
             };
         assert_eq!(
-            law.point_density(radius, at, r).raw().bits(),
-            pdf.raw().bits(),
+            law.point_density(radius, at, r).bits(),
+            pdf.bits(),
             "{place}"
         );
         return;
@@ -105,7 +105,7 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
 }
 
 /// Radii over the whole admitted range, the ends included.
-fn everywhere<T: Tier>() {
+fn everywhere<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(17);
     let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
     let round = |x| T::of(x);

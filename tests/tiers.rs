@@ -1,7 +1,7 @@
 //! The tiers beside each other: `Precise` draws what the plain type draws.
 
-use coslobe::{PlanarPoint, Precise, Spatial};
-use kit::catalogue::laws;
+use coslobe::{Precise, Spatial};
+use kit::catalogue::every_law;
 use kit::stats::claim::Claim;
 use kit::stats::words;
 use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
@@ -36,8 +36,8 @@ where
     Precise<T>: Number,
 {
     let (mut plain, mut precise) = (Same::<T>(Vec::new()), Same::<Precise<T>>(Vec::new()));
-    laws(&mut plain, &EXPONENTS);
-    laws(&mut precise, &EXPONENTS);
+    every_law(&mut plain, &EXPONENTS);
+    every_law(&mut precise, &EXPONENTS);
     for ((name, a), (_, b)) in plain.0.into_iter().zip(precise.0) {
         for (a, b) in a.into_iter().zip(b) {
             for (a, b) in a.into_iter().zip(b) {

@@ -6,7 +6,6 @@ use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, Law, Moments, SphereShell};
 use fixed::types::I1F15;
-use kit::catalogue::laws;
 use kit::stats::claim::{Claim, Direction};
 use kit::stats::harness::{examine, examine_tail};
 use kit::stats::ks;

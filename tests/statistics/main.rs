@@ -5,8 +5,8 @@
 mod mutants;
 
 use coslobe::rand_core::Rng;
-use coslobe::{Fast, PlanarPoint, Precise, Spatial};
-use kit::catalogue::laws;
+use coslobe::{Fast, Precise, Spatial};
+use kit::catalogue::every_law;
 use kit::stats::claim::{Claim, Direction};
 use kit::stats::harness::{examine, examine_tail};
 use kit::stats::words;
@@ -74,7 +74,7 @@ fn run<T: Number>(n: usize, tail_n: usize, depths: &'static [u32]) {
         depths,
         bits,
     };
-    laws::<T>(&mut laws, &EXPONENTS);
+    every_law::<T>(&mut laws, &EXPONENTS);
 }
 
 #[test]

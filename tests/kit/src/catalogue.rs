@@ -3,8 +3,8 @@
 use crate::Number;
 use core::fmt::{self, Debug};
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, PlanarPoint, Precise, Spatial,
-    SpatialPoint, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, PlanarPoint, Precise,
+    Spatial, SpatialPoint, SphereShell,
 };
 
 /// The exponent of `CosPower` where one is enough: its logarithm is no round number.
@@ -164,7 +164,7 @@ pub trait LawVisitor<T: Number> {
 }
 
 /// Shows one law.
-pub fn law<T: Number, V: LawVisitor<T>>(id: Id, visitor: &mut V) {
+pub fn one_law<T: Number, V: LawVisitor<T>>(id: Id, visitor: &mut V) {
     match id {
         Id::Disk => visitor.planar(id, Disk),
         Id::CircleShell => visitor.planar(id, CircleShell),
@@ -181,11 +181,27 @@ pub fn law<T: Number, V: LawVisitor<T>>(id: Id, visitor: &mut V) {
 }
 
 /// Shows the laws without a parameter, then `CosPower` with each of the exponents.
-pub fn laws<T: Number>(visitor: &mut impl LawVisitor<T>, exponents: &[f64]) {
+pub fn every_law<T: Number>(visitor: &mut impl LawVisitor<T>, exponents: &[f64]) {
     let powers = exponents.iter().map(|&k| Id::CosPower(k));
     for id in Id::FIXED.into_iter().chain(powers) {
-        law(id, visitor);
+        one_law(id, visitor);
     }
+}
+
+/// The moments of one law, or of what `CosPower` does not admit as an exponent `None`.
+pub fn moments<T: Number>(id: Id) -> Option<Moments<T>> {
+    struct Found<T>(Option<Moments<T>>);
+    impl<T: Number> LawVisitor<T> for Found<T> {
+        fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+            self.0 = Some(law.moments());
+        }
+        fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+            self.0 = Some(law.moments());
+        }
+    }
+    let mut found = Found(None);
+    one_law(id, &mut found);
+    found.0
 }
 
 /// Is shown number types.
@@ -195,7 +211,7 @@ pub trait NumberVisitor {
 }
 
 /// Shows every number type.
-pub fn numbers(visitor: &mut impl NumberVisitor) {
+pub fn every_number(visitor: &mut impl NumberVisitor) {
     visitor.number::<f32>();
     visitor.number::<f64>();
     visitor.number::<Precise<f32>>();

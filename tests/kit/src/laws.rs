@@ -1,6 +1,6 @@
 //! The laws of a number type, by what can be hashed of them.
 
-use crate::catalogue::{EXPONENT, Id, LawVisitor, PlanarLaw, SpatialLaw, laws};
+use crate::catalogue::{EXPONENT, Id, LawVisitor, PlanarLaw, SpatialLaw, every_law};
 use crate::{Number, Subject, planar, spatial};
 
 /// Is shown subjects.
@@ -17,7 +17,7 @@ pub trait Laws {
 
 impl<T: Number> Laws for T {
     fn each(visitor: &mut impl Visitor) {
-        laws::<T>(&mut Subjects(visitor), &[EXPONENT]);
+        every_law::<T>(&mut Subjects(visitor), &[EXPONENT]);
     }
 }
 

@@ -1,15 +1,27 @@
 //! Number types: what whoever tests, counts or draws in one of them has to know of it.
 
+#[cfg(feature = "std")]
+pub use crate::accuracy::format::Format;
 use core::f64::consts::FRAC_PI_2;
 use coslobe::{Fast, Precise, Real};
 
 /// Calls of `next_u32` and of `next_u64`.
 pub type Drawn = (usize, usize);
 
+/// A format: a number type that is read as it stands. With `std` it has references.
+#[cfg(not(feature = "std"))]
+pub trait Format: Number<Raw = Self> {}
+
+#[cfg(not(feature = "std"))]
+impl Format for f32 {}
+
+#[cfg(not(feature = "std"))]
+impl Format for f64 {}
+
 /// A number type: a format, `Raw`, read with the accuracy that the type's name says.
 pub trait Number: Real + Into<f64> {
     /// `f32` or `f64`.
-    type Raw: Number<Raw = Self::Raw>;
+    type Raw: Format;
 
     /// As in the library's documentation and its tables.
     const NAME: &'static str;
@@ -162,7 +174,7 @@ impl Number for f64 {
 }
 
 /// Held to what the plain type keeps; `docs/bounds.md` has its own, tighter bounds.
-impl<T: Number<Raw = T>> Number for Precise<T>
+impl<T: Format> Number for Precise<T>
 where
     Precise<T>: Real + Into<f64>,
 {

@@ -1,6 +1,6 @@
 //! The errors of our own operations: measured as the tests measure them, or read from a file.
 
-use kit::accuracy::format::Format;
+use kit::Number;
 use kit::accuracy::monotone;
 use kit::accuracy::reference::Id;
 use kit::accuracy::rows::{Key, Row, keys, measure_all};

@@ -1,15 +1,9 @@
 //! Number types over a raw format, and the values of a law in one of them.
 
-use super::format::Format;
 use super::op::{AT_ANGLE, AT_TAIL};
 use crate::Number;
 use coslobe::{CosSin, Law};
 use std::marker::PhantomData;
-
-/// A number type over a format that there are references for.
-pub trait Tier: Number<Raw: Format> {}
-
-impl<T: Number<Raw: Format>> Tier for T {}
 
 /// All values of a law at an input in one call, so that the compiler may share work among them.
 pub trait Values<F>: Send + Sync {
@@ -46,7 +40,7 @@ impl<T, L, S> On<T, L, S> {
 
 impl<T, L, S> Values<T::Raw> for On<T, L, S>
 where
-    T: Tier,
+    T: Number,
     L: Law<T> + Send + Sync,
     S: Fn(&L, T) -> T + Send + Sync,
 {

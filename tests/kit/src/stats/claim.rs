@@ -25,11 +25,15 @@ pub struct Claim {
 impl Claim {
     /// What `law` claims, which is `id`'s.
     pub fn of<T: Number>(id: Id, law: &impl Law<T>) -> Self {
-        let m = law.moments();
+        let k = T::of(id.exponent()).into();
+        Self::new(&id.to_string(), id.planar(), k, law.moments())
+    }
+
+    pub fn new<T: Number>(name: &str, planar: bool, k: f64, m: Moments<T>) -> Self {
         Claim {
-            name: format!("{id} {}", T::NAME),
-            planar: id.planar(),
-            k: T::of(id.exponent()).into(),
+            name: format!("{name} {}", T::NAME),
+            planar,
+            k,
             moments: Moments {
                 mean_cos: m.mean_cos.into(),
                 var_cos: m.var_cos.into(),
