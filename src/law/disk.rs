@@ -1,11 +1,14 @@
 //! Uniform by area in a disk.
 
-use super::Planar;
 use super::formulas::{Formulas, Own, Parameterless};
+use super::{Law, Planar};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
+use crate::number::tier::Margin;
+use crate::uniform::TailBits;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -117,4 +120,31 @@ impl<T: Real> Tangent<T> for Disk {
     const MEASURE: Measure = Measure::Area;
 }
 
-impl<T: Real> Planar<T> for Disk {}
+/// The shadow of a direction of [`Lambert`](crate::Lambert)'s law on a plane through the normal: no equation is solved.
+///
+/// Lambert's directions fall on the ground evenly over a disk, so that sin θ = √u cos φ; with 1 − u as its own tail,
+/// cos²θ = (1 − u) + u sin²φ has all digits at both ends.
+impl<T: Real> Planar<T> for Disk {
+    #[inline(always)]
+    fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
+        match T::two_uniforms(bits) {
+            Some((u, phi)) => T::rounded(
+                Margin::Relative,
+                || shadow(Holds::from_tails(u), T::quick_turn(phi)),
+                #[inline(always)]
+                || shadow(Holds::from_tails(u), T::accurate_turn(phi)),
+            ),
+            None => {
+                let CosSin { cos, sin } = Law::warp_tails(self, T::tails_from_bits(bits));
+                [sin, cos]
+            }
+        }
+    }
+}
+
+/// [sin θ, cos θ] of a point of the disk: the tails of its squared distance from the centre, and its azimuth.
+#[inline(always)]
+fn shadow<W: Kernel>(u: Tails<W>, phi: CosSin<W>) -> [W; 2] {
+    let cos_squared = u.upper() + u.lower() * (phi.sin * phi.sin);
+    [u.lower().sqrt() * phi.cos, cos_squared.sqrt()]
+}

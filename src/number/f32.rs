@@ -5,7 +5,7 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f32 as uniform;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Bits, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -66,13 +66,25 @@ impl Tier for f32 {
         rng.next_u32()
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails_from_bits(bits: u64) -> Tails<f32> {
         Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 63 != 0)
     }
 
-    #[inline]
-    fn turn_from_bits(bits: u32) -> CosSin<f32> {
+    #[inline(always)]
+    fn two_uniforms(bits: u64) -> Option<(Tails<f32>, u32)> {
+        let [upper, lower] = bits.split();
+        let p = uniform::tail_of_half(upper);
+        Some((Tails::from_nearer(p, upper >> 31 != 0), lower))
+    }
+
+    #[inline(always)]
+    fn quick_turn(bits: u32) -> CosSin<f32> {
+        Self::accurate_turn(bits)
+    }
+
+    #[inline(always)]
+    fn accurate_turn(bits: u32) -> CosSin<f32> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

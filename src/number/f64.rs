@@ -5,7 +5,7 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f64 as uniform;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Bits, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -67,13 +67,25 @@ impl Tier for f64 {
         rng.next_u64()
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails_from_bits(bits: u128) -> Tails<f64> {
         Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 127 != 0)
     }
 
-    #[inline]
-    fn turn_from_bits(bits: u64) -> CosSin<f64> {
+    #[inline(always)]
+    fn two_uniforms(bits: u128) -> Option<(Tails<f64>, u64)> {
+        let [upper, lower] = bits.split();
+        let p = uniform::tail_of_half(upper);
+        Some((Tails::from_nearer(p, upper >> 63 != 0), lower))
+    }
+
+    #[inline(always)]
+    fn quick_turn(bits: u64) -> CosSin<f64> {
+        Self::accurate_turn(bits)
+    }
+
+    #[inline(always)]
+    fn accurate_turn(bits: u64) -> CosSin<f64> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

@@ -80,8 +80,18 @@ impl Tier for Fast<f32> {
         Tails::from_nearer(Fast(p), is_upper)
     }
 
-    #[inline]
-    fn turn_from_bits(bits: u32) -> CosSin<Self> {
+    #[inline(always)]
+    fn two_uniforms(_: u32) -> Option<(Tails<Self>, u32)> {
+        None
+    }
+
+    #[inline(always)]
+    fn quick_turn(bits: u32) -> CosSin<Self> {
+        Self::accurate_turn(bits)
+    }
+
+    #[inline(always)]
+    fn accurate_turn(bits: u32) -> CosSin<Self> {
         fast(uniform::turn(bits))
     }
 }

@@ -90,5 +90,21 @@ pub trait Tier: Scalar {
     fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits;
     fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits;
     fn tails_from_bits(bits: Self::TailBits) -> Tails<Self>;
-    fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self>;
+    /// One word for two uniforms, each of half its bits: a probability, and an azimuth.
+    ///
+    /// `None` where a half is too short for either.
+    fn two_uniforms(bits: Self::TailBits) -> Option<(Tails<Self>, Self::TurnBits)>;
+    /// (cos φ, sin φ) of an azimuth in either arithmetic.
+    fn quick_turn(bits: Self::TurnBits) -> CosSin<Self::Quick>;
+    fn accurate_turn(bits: Self::TurnBits) -> CosSin<Self::Accurate>;
+
+    #[inline(always)]
+    fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self> {
+        CosSin::from_array(Self::rounded(
+            Margin::Relative,
+            || Self::quick_turn(bits).to_array(),
+            #[inline(always)]
+            || Self::accurate_turn(bits).to_array(),
+        ))
+    }
 }

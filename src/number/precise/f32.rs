@@ -115,13 +115,27 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn turn_from_bits(bits: u32) -> CosSin<Self> {
-        let (quadrant, part) = parts_of_turn(bits);
-        let x = f64::from(part) * power_of_two(-33);
-        CosSin::from_array(Self::rounded(
-            Margin::Relative,
-            || f64::at_quadrant(quadrant, x).to_array(),
-            || Double::at_quadrant(quadrant, Double::exact(x)).to_array(),
-        ))
+    fn two_uniforms(bits: u64) -> Option<(Tails<Self>, u32)> {
+        let (p, phi) = f32::two_uniforms(bits)?;
+        Some((Tails::from_array(p.to_array().map(Precise)), phi))
     }
+
+    #[inline]
+    fn quick_turn(bits: u32) -> CosSin<f64> {
+        let (quadrant, x) = turn(bits);
+        f64::at_quadrant(quadrant, x)
+    }
+
+    #[inline]
+    fn accurate_turn(bits: u32) -> CosSin<Double> {
+        let (quadrant, x) = turn(bits);
+        Double::at_quadrant(quadrant, Double::exact(x))
+    }
+}
+
+/// An azimuth as quarters and turns, exactly.
+#[inline]
+fn turn(bits: u32) -> (u32, f64) {
+    let (quadrant, part) = parts_of_turn(bits);
+    (quadrant, f64::from(part) * power_of_two(-33))
 }

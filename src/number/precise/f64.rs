@@ -107,15 +107,32 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn turn_from_bits(bits: u64) -> CosSin<Self> {
-        let (quadrant, part) = parts_of_turn(bits);
-        let hi = part as f64;
-        let lo = (part - hi as i64) as f64;
-        let x = Double { hi, lo } * Double::exact(power_of_two(-65));
-        CosSin::from_array(Self::rounded(
-            Margin::Relative,
-            || Double::at_quadrant(quadrant, x).to_array(),
-            || Scaled::at_quadrant(quadrant, Scaled::from_double(x)).to_array(),
-        ))
+    fn two_uniforms(bits: u128) -> Option<(Tails<Self>, u64)> {
+        let (p, phi) = f64::two_uniforms(bits)?;
+        Some((Tails::from_array(p.to_array().map(Precise)), phi))
     }
+
+    #[inline]
+    fn quick_turn(bits: u64) -> CosSin<Double> {
+        let (quadrant, x) = turn(bits);
+        Double::at_quadrant(quadrant, x)
+    }
+
+    #[inline]
+    fn accurate_turn(bits: u64) -> CosSin<Scaled> {
+        let (quadrant, x) = turn(bits);
+        Scaled::at_quadrant(quadrant, Scaled::from_double(x))
+    }
+}
+
+/// An azimuth as quarters and turns, exactly.
+#[inline]
+fn turn(bits: u64) -> (u32, Double) {
+    let (quadrant, part) = parts_of_turn(bits);
+    let hi = part as f64;
+    let lo = (part - hi as i64) as f64;
+    (
+        quadrant,
+        Double { hi, lo } * Double::exact(power_of_two(-65)),
+    )
 }

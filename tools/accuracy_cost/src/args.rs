@@ -40,6 +40,10 @@ pub(crate) enum Task {
     /// What valgrind runs.
     #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
+    /// Prints each limit of time, as a ratio to the quickest peer, and what is reached.
+    Limits,
+    /// Counts instructions an element of loops that shall be vectors, at SSE2 and AVX2: fails where one is none.
+    Vectors,
     /// Prints the nanoseconds an element that Disk.quantile takes over a file of f64 (native bytes).
     DiskQuantile {
         /// The probabilities.

@@ -12,11 +12,13 @@
 //! instructions (`apt install valgrind`); `docs/measured/scipy.csv` comes from `tools/scipy_peer.py`.
 
 mod args;
+mod arrays;
 mod catalog;
 mod check;
 mod contender;
 mod disk_quantile;
 mod judged;
+mod limits;
 mod machine;
 mod page;
 mod pareto;
@@ -39,12 +41,19 @@ fn main() -> ExitCode {
     let done = match &args.task {
         Some(Task::CountCells) => {
             let mut all = catalog::Counted::new();
-            count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty]));
+            let mut vectors = arrays::counted();
+            let vectors = vectors.iter_mut().map(|c| &mut c.cell);
+            match std::env::var_os(limits::COUNTED) {
+                Some(_) => count::child(vectors.map(|c| [&mut *c.run, &mut *c.empty])),
+                None => count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty])),
+            }
             Ok(())
         }
         Some(Task::DiskQuantile { input, values }) => {
             disk_quantile::run(input, values.as_deref()).map_err(Into::into)
         }
+        Some(Task::Limits) => limits::run(),
+        Some(Task::Vectors) => limits::vectors(),
         None if args.check => check::run(),
         None => study::run(&args),
     };

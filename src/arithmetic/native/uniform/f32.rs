@@ -2,6 +2,7 @@
 
 use super::BY_SUMS;
 
+const TWO_TO_MINUS_33: f32 = f32::from_bits((127 - 33) << 23);
 const TWO_TO_MINUS_47: f32 = f32::from_bits((127 - 47) << 23);
 const TWO_TO_MINUS_65: f32 = f32::from_bits((127 - 65) << 23);
 
@@ -45,6 +46,20 @@ fn summed(n: u64) -> f32 {
     (high + low) * unit
 }
 
+/// (2n + 1)·2⁻³³ for the lower 31 bits n, rounded to nearest: never zero; ½ is reached and not passed.
+#[inline(always)]
+pub(crate) fn tail_of_half(n: u32) -> f32 {
+    let odd = n << 1 | 1;
+    if BY_SUMS {
+        const HIGH: u32 = carrier(16 - 33);
+        const LOW: u32 = carrier(-33);
+        let high = f32::from_bits(HIGH | odd >> 16) - f32::from_bits(HIGH);
+        high + (f32::from_bits(LOW | odd & 0xFFFF) - f32::from_bits(LOW))
+    } else {
+        odd as f32 * TWO_TO_MINUS_33
+    }
+}
+
 /// [`tail`] by 32-bit integers alone.
 #[inline(always)]
 fn assembled(n: u64) -> f32 {
@@ -84,7 +99,6 @@ pub(crate) fn turn(bits: u32) -> (u32, f32) {
 
 #[inline(always)]
 fn converted_turn(bits: u32) -> f32 {
-    const TWO_TO_MINUS_33: f32 = f32::from_bits((127 - 33) << 23);
     parts_of_turn(bits).1 as f32 * TWO_TO_MINUS_33
 }
 
@@ -129,6 +143,26 @@ mod tests {
                         }
                     }
                 }
+            }
+        }
+    }
+
+    fn same_half(bits: u32) {
+        let expected = (f64::from(bits << 1 | 1) * 0.5f64.powi(33)) as f32;
+        assert_eq!(
+            tail_of_half(bits).to_bits(),
+            expected.to_bits(),
+            "{bits:#x}"
+        );
+    }
+
+    #[test]
+    fn tails_of_halves_are_rounded_once() {
+        (0..=u32::MAX).step_by(997).for_each(same_half);
+        for shift in 0..32 {
+            for near in 0..1 << 10 {
+                same_half(near << shift);
+                same_half((1 << shift) - 1 ^ near);
             }
         }
     }

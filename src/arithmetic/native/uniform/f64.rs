@@ -47,6 +47,20 @@ fn summed(n: u128) -> f64 {
     (high + low) * unit
 }
 
+/// (2n + 1)·2⁻⁶⁵ for the lower 63 bits n, rounded to nearest: never zero; ½ is reached and not passed.
+#[inline(always)]
+pub(crate) fn tail_of_half(n: u64) -> f64 {
+    let odd = n << 1 | 1;
+    if BY_SUMS {
+        const HIGH: u64 = carrier(32 - 65);
+        const LOW: u64 = carrier(-65);
+        let high = f64::from_bits(HIGH | odd >> 32) - f64::from_bits(HIGH);
+        high + (f64::from_bits(LOW | odd & 0xFFFF_FFFF) - f64::from_bits(LOW))
+    } else {
+        odd as f64 * power_of_two(-65)
+    }
+}
+
 /// n + ½ for n < 2¹²⁷, rounded once, for 32-bit processors.
 ///
 /// The general conversion is a library call; one of 64 bits is not. All that lies below those is
@@ -134,6 +148,18 @@ mod tests {
                         }
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn tails_of_halves_are_rounded_once() {
+        let mut noise = 0x9E37_79B9_7F4A_7C15u64;
+        for i in 0..100_000 {
+            noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
+            for n in [noise, noise >> (i & 63), noise | ((1 << (i & 63)) - 1)] {
+                let expected = (n << 1 | 1) as f64 * 0.5f64.powi(65);
+                assert_eq!(tail_of_half(n).to_bits(), expected.to_bits(), "{n:#x}");
             }
         }
     }

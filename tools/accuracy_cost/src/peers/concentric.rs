@@ -21,7 +21,7 @@ pub(super) fn all(list: &mut Vec<Contender>) {
     library::<f64, Std>(list);
 }
 
-fn direction<T: Format, M: Maths<T>>(u: T, v: T) -> [T; 3] {
+pub(super) fn direction<T: Format, M: Maths<T>>(u: T, v: T) -> [T; 3] {
     let (zero, one) = (T::default(), T::of(1.0));
     let (a, b) = (u + u - one, v + v - one);
     if a == zero && b == zero {

@@ -22,13 +22,41 @@ pub(super) fn all(list: &mut Vec<Contender>) {
     roots::<f64>(list, f64::cbrt);
 }
 
+/// Lambert's law from (u, v), as a renderer writes it.
+#[inline(always)]
+pub(crate) fn polar(u: f32, v: f32) -> [f32; 3] {
+    around::<f32, Std>(u.sqrt(), (1.0 - u).sqrt(), v)
+}
+
+/// `SphereShell` by the cube root.
+#[inline(always)]
+pub(crate) fn cube_root(u: f32, v: f32) -> [f32; 3] {
+    around::<f32, Std>(u.cbrt(), sine::<f32, Std>(u.cbrt()), v)
+}
+
+/// `Ball` by two square roots.
+#[inline(always)]
+pub(crate) fn two_roots(u: f32, v: f32) -> [f32; 3] {
+    let cos = u.sqrt().sqrt();
+    around::<f32, Std>(cos, sine::<f32, Std>(cos), v)
+}
+
+/// A lobe by the power.
+#[inline(always)]
+pub(crate) fn power(u: f32, v: f32, n: f32) -> [f32; 3] {
+    let cos = u.powf(1.0 / (n + 1.0));
+    around::<f32, Std>(cos, sine::<f32, Std>(cos), v)
+}
+
 /// [sin θ cos φ, cos θ, sin θ sin φ] at azimuth v.
+#[inline(always)]
 fn around<T: Format, M: Maths<T>>(cos: T, sin: T, v: T) -> [T; 3] {
     let (s, c) = M::sin_cos(T::of(TAU) * v);
     [sin * c, cos, sin * s]
 }
 
 /// sin θ from cos θ.
+#[inline(always)]
 fn sine<T: Format, M: Maths<T>>(cos: T) -> T {
     let square = T::of(1.0) - cos * cos;
     M::sqrt(if square > T::default() {

@@ -4,7 +4,7 @@
 //! the code is this study's.
 
 mod concentric;
-mod lobe;
+pub(crate) mod lobe;
 mod maths;
 mod planar;
 mod points;
@@ -22,6 +22,12 @@ use kit::study::inputs::Uniforms;
 use rand::RngExt;
 use rand::distr::{Distribution, StandardUniform};
 use std::marker::PhantomData;
+
+/// Lambert's law by the concentric map.
+#[inline(always)]
+pub(crate) fn concentric(u: f32, v: f32) -> [f32; 3] {
+    concentric::direction::<f32, maths::Std>(u, v)
+}
 
 pub(crate) fn all(list: &mut Vec<Contender>) {
     lobe::all(list);
