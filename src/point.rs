@@ -211,7 +211,7 @@ pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
     /// [`uniform::unit`] for [`Ball`](crate::Ball) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 3] {
-        let at = self.warp_tails(uniform::tails(rng));
+        let at = self.angle_from_bits(T::draw_tail_bits(rng));
         let azimuth = uniform::azimuth(rng);
         let r = self.sample_distance(rho, at, rng);
         crate::law::spherical(at, azimuth).map(|c| r * c)

@@ -127,18 +127,17 @@ impl<T: Real> Tangent<T> for Disk {
 impl<T: Real> Planar<T> for Disk {
     #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
-        match T::two_uniforms(bits) {
-            Some((u, phi)) => T::rounded(
-                Margin::Relative,
-                || shadow(Holds::from_tails(u), T::quick_turn(phi)),
-                #[inline(always)]
-                || shadow(Holds::from_tails(u), T::accurate_turn(phi)),
-            ),
-            None => {
-                let CosSin { cos, sin } = Law::warp_tails(self, T::tails_from_bits(bits));
-                [sin, cos]
-            }
-        }
+        let Some([u, phi]) = T::halves(bits) else {
+            let CosSin { cos, sin } = Law::warp_tails(self, T::tails_from_bits(bits));
+            return [sin, cos];
+        };
+        let u = T::tails_from_half(u);
+        T::rounded(
+            Margin::Relative,
+            || shadow(Holds::from_tails(u), T::quick_turn(phi)),
+            #[inline(always)]
+            || shadow(Holds::from_tails(u), T::accurate_turn(phi)),
+        )
     }
 }
 

@@ -28,8 +28,13 @@ pub trait Spatial<T: Real>: Law<T> {
     /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
     #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        let at = self.warp_tails(uniform::tails_from_bits(theta));
-        spherical(at, uniform::azimuth_from_bits(phi))
+        spherical(self.angle_from_bits(theta), uniform::azimuth_from_bits(phi))
+    }
+
+    /// (cos θ, sin θ) of that direction.
+    #[inline(always)]
+    fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
+        self.warp_tails(uniform::tails_from_bits(theta))
     }
 
     /// What as many calls of [`sample`](Spatial::sample) draw, in that order: a slice for each
@@ -89,7 +94,7 @@ pub trait Spatial<T: Real>: Law<T> {
     /// same words, the same bits.
     #[inline]
     fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
-        let at = self.warp_tails(uniform::tails(rng));
+        let at = self.angle_from_bits(T::draw_tail_bits(rng));
         Sample {
             direction: spherical(at, uniform::azimuth(rng)),
             at,

@@ -2,12 +2,15 @@
 
 use super::Spatial;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
+use crate::number::tier::Margin;
+use crate::uniform::TailBits;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
@@ -150,9 +153,36 @@ fn lower_tail<W: Kernel>(cos: W, sin_squared: W) -> W {
     sin_squared * (W::ONE + cos + cos * cos) / (W::ONE + cos)
 }
 
+/// The larger of √u and v, which is below c as often as u is below c² and v below c: no cube root is taken.
 impl<T: Real> Spatial<T> for SphereShell {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
         pdf_solid_angle(self, theta)
+    }
+
+    #[inline(always)]
+    fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
+        let Some(halves) = T::halves(theta) else {
+            return super::Law::warp_tails(self, T::tails_from_bits(theta));
+        };
+        let [u, v] = halves.map(T::tails_from_half);
+        CosSin::from_array(T::rounded(
+            Margin::Relative,
+            || larger(Holds::from_tails(u), Holds::from_tails(v)).to_array(),
+            #[inline(always)]
+            || larger(Holds::from_tails(u), Holds::from_tails(v)).to_array(),
+        ))
+    }
+}
+
+/// (cos θ, sin θ) with cos θ the larger of √u and v, of which each is a tail: sin²θ has the digits of the other.
+#[inline(always)]
+fn larger<W: Kernel>(u: Tails<W>, v: Tails<W>) -> CosSin<W> {
+    let (root, side) = (u.upper().sqrt(), v.upper());
+    let by_root = root > side;
+    let sin_squared = W::select(by_root, u.lower(), v.lower() * (W::ONE + side));
+    CosSin {
+        cos: if by_root { root } else { side },
+        sin: sin_squared.sqrt(),
     }
 }

@@ -67,15 +67,18 @@ impl Tier for f32 {
     }
 
     #[inline(always)]
-    fn tails_from_bits(bits: u64) -> Tails<f32> {
-        Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 63 != 0)
+    fn nearer_from_bits(bits: u64) -> (f32, bool) {
+        (uniform::tail(bits << 1 >> 1), bits >> 63 != 0)
     }
 
     #[inline(always)]
-    fn two_uniforms(bits: u64) -> Option<(Tails<f32>, u32)> {
-        let [upper, lower] = bits.split();
-        let p = uniform::tail_of_half(upper);
-        Some((Tails::from_nearer(p, upper >> 31 != 0), lower))
+    fn halves(bits: u64) -> Option<[u32; 2]> {
+        Some(bits.split())
+    }
+
+    #[inline(always)]
+    fn tails_from_half(bits: u32) -> Tails<f32> {
+        Tails::from_nearer(uniform::tail_of_half(bits), bits >> 31 != 0)
     }
 
     #[inline(always)]

@@ -68,15 +68,18 @@ impl Tier for f64 {
     }
 
     #[inline(always)]
-    fn tails_from_bits(bits: u128) -> Tails<f64> {
-        Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 127 != 0)
+    fn nearer_from_bits(bits: u128) -> (f64, bool) {
+        (uniform::tail(bits << 1 >> 1), bits >> 127 != 0)
     }
 
     #[inline(always)]
-    fn two_uniforms(bits: u128) -> Option<(Tails<f64>, u64)> {
-        let [upper, lower] = bits.split();
-        let p = uniform::tail_of_half(upper);
-        Some((Tails::from_nearer(p, upper >> 63 != 0), lower))
+    fn halves(bits: u128) -> Option<[u64; 2]> {
+        Some(bits.split())
+    }
+
+    #[inline(always)]
+    fn tails_from_half(bits: u64) -> Tails<f64> {
+        Tails::from_nearer(uniform::tail_of_half(bits), bits >> 63 != 0)
     }
 
     #[inline(always)]

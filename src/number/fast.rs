@@ -74,15 +74,20 @@ impl Tier for Fast<f32> {
         rng.next_u32()
     }
 
-    #[inline]
-    fn tails_from_bits(bits: u32) -> Tails<Self> {
+    #[inline(always)]
+    fn nearer_from_bits(bits: u32) -> (Self, bool) {
         let (p, is_upper) = uniform::tail(bits);
-        Tails::from_nearer(Fast(p), is_upper)
+        (Fast(p), is_upper)
     }
 
     #[inline(always)]
-    fn two_uniforms(_: u32) -> Option<(Tails<Self>, u32)> {
+    fn halves(_: u32) -> Option<[u32; 2]> {
         None
+    }
+
+    #[inline(always)]
+    fn tails_from_half(bits: u32) -> Tails<Self> {
+        Self::tails_from_bits(bits)
     }
 
     #[inline(always)]

@@ -89,11 +89,20 @@ pub trait Tier: Scalar {
     type TurnBits: Copy + Default;
     fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits;
     fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits;
-    fn tails_from_bits(bits: Self::TailBits) -> Tails<Self>;
-    /// One word for two uniforms, each of half its bits: a probability, and an azimuth.
+    /// The nearer tail, and whether it is the upper one.
+    fn nearer_from_bits(bits: Self::TailBits) -> (Self, bool);
+
+    #[inline(always)]
+    fn tails_from_bits(bits: Self::TailBits) -> Tails<Self> {
+        let (p, is_upper) = Self::nearer_from_bits(bits);
+        Tails::from_nearer(p, is_upper)
+    }
+    /// One word for two uniforms, each of half its bits: probabilities or azimuths.
     ///
     /// `None` where a half is too short for either.
-    fn two_uniforms(bits: Self::TailBits) -> Option<(Tails<Self>, Self::TurnBits)>;
+    fn halves(bits: Self::TailBits) -> Option<[Self::TurnBits; 2]>;
+    /// A probability of half the bits.
+    fn tails_from_half(bits: Self::TurnBits) -> Tails<Self>;
     /// (cos φ, sin φ) of an azimuth in either arithmetic.
     fn quick_turn(bits: Self::TurnBits) -> CosSin<Self::Quick>;
     fn accurate_turn(bits: Self::TurnBits) -> CosSin<Self::Accurate>;

@@ -72,7 +72,7 @@ pub(crate) fn at_angle<T: Native>(theta: T) -> CosSin<Pair<T>> {
 }
 
 /// As [`at_angle`], to about 2⁻⁶⁴ (f64) or 2⁻³³ (f32) relative.
-#[inline(always)]
+#[inline]
 pub(crate) fn at_angle_fine<T: Native>(theta: T) -> CosSin<Pair<T>> {
     let (x, far) = fold(theta);
     let v = x.mul(x);

@@ -110,14 +110,19 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn tails_from_bits(bits: u64) -> Tails<Self> {
-        Tails::from_array(f32::tails_from_bits(bits).to_array().map(Precise))
+    fn nearer_from_bits(bits: u64) -> (Self, bool) {
+        let (p, is_upper) = f32::nearer_from_bits(bits);
+        (Precise(p), is_upper)
     }
 
     #[inline]
-    fn two_uniforms(bits: u64) -> Option<(Tails<Self>, u32)> {
-        let (p, phi) = f32::two_uniforms(bits)?;
-        Some((Tails::from_array(p.to_array().map(Precise)), phi))
+    fn halves(bits: u64) -> Option<[u32; 2]> {
+        f32::halves(bits)
+    }
+
+    #[inline]
+    fn tails_from_half(bits: u32) -> Tails<Self> {
+        Tails::from_array(f32::tails_from_half(bits).to_array().map(Precise))
     }
 
     #[inline]

@@ -102,14 +102,19 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn tails_from_bits(bits: u128) -> Tails<Self> {
-        Tails::from_array(f64::tails_from_bits(bits).to_array().map(Precise))
+    fn nearer_from_bits(bits: u128) -> (Self, bool) {
+        let (p, is_upper) = f64::nearer_from_bits(bits);
+        (Precise(p), is_upper)
     }
 
     #[inline]
-    fn two_uniforms(bits: u128) -> Option<(Tails<Self>, u64)> {
-        let (p, phi) = f64::two_uniforms(bits)?;
-        Some((Tails::from_array(p.to_array().map(Precise)), phi))
+    fn halves(bits: u128) -> Option<[u64; 2]> {
+        f64::halves(bits)
+    }
+
+    #[inline]
+    fn tails_from_half(bits: u64) -> Tails<Self> {
+        Tails::from_array(f64::tails_from_half(bits).to_array().map(Precise))
     }
 
     #[inline]

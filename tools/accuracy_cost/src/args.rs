@@ -40,6 +40,17 @@ pub(crate) enum Task {
     /// What valgrind runs.
     #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
+    /// Prints the nanoseconds a direction that Lambert.warp_direction_slice takes over a file of f32 (native bytes).
+    LambertDirections {
+        /// All of u, then all of v.
+        input: PathBuf,
+        /// File for all x, then all y, then all z.
+        #[arg(long)]
+        values: Option<PathBuf>,
+    },
+    /// What valgrind runs for loops over arrays.
+    #[command(name = crate::limits::SUBCOMMAND, hide = true)]
+    CountArrays,
     /// Prints each limit of time, as a ratio to the quickest peer, and what is reached.
     Limits,
     /// Counts instructions an element of loops that shall be vectors, at SSE2 and AVX2: fails where one is none.

@@ -16,6 +16,7 @@ mod arrays;
 mod catalog;
 mod check;
 mod contender;
+mod directions;
 mod disk_quantile;
 mod judged;
 mod limits;
@@ -41,16 +42,20 @@ fn main() -> ExitCode {
     let done = match &args.task {
         Some(Task::CountCells) => {
             let mut all = catalog::Counted::new();
-            let mut vectors = arrays::counted();
-            let vectors = vectors.iter_mut().map(|c| &mut c.cell);
-            match std::env::var_os(limits::COUNTED) {
-                Some(_) => count::child(vectors.map(|c| [&mut *c.run, &mut *c.empty])),
-                None => count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty])),
-            }
+            count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty]));
+            Ok(())
+        }
+        Some(Task::CountArrays) => {
+            let mut all = arrays::counted();
+            let cells = all.iter_mut().map(|c| &mut c.cell);
+            count::child(cells.map(|c| [&mut *c.run, &mut *c.empty]));
             Ok(())
         }
         Some(Task::DiskQuantile { input, values }) => {
             disk_quantile::run(input, values.as_deref()).map_err(Into::into)
+        }
+        Some(Task::LambertDirections { input, values }) => {
+            directions::run(input, values.as_deref()).map_err(Into::into)
         }
         Some(Task::Limits) => limits::run(),
         Some(Task::Vectors) => limits::vectors(),

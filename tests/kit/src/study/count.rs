@@ -50,6 +50,11 @@ impl Drop for Scratch {
 
 /// Mean instructions of a call of each cell, of which this is told the calls; `step` hears of each.
 pub fn counts(calls: &[u64], step: impl Fn()) -> Result<Vec<f64>, Missing> {
+    counts_of(SUBCOMMAND, calls, step)
+}
+
+/// As [`counts`], of the cells of another hidden subcommand.
+pub fn counts_of(subcommand: &str, calls: &[u64], step: impl Fn()) -> Result<Vec<f64>, Missing> {
     if let Err(e) = Command::new("valgrind").arg("--version").output() {
         return Err(Missing::Skipped(format!(
             "valgrind does not start ({e}); `apt install valgrind`"
@@ -69,7 +74,7 @@ pub fn counts(calls: &[u64], step: impl Fn()) -> Result<Vec<f64>, Missing> {
             scratch.0.join("cost").display()
         ))
         .arg(program)
-        .arg(SUBCOMMAND)
+        .arg(subcommand)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
