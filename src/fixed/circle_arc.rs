@@ -62,11 +62,11 @@ impl<F: Format> Formulas<F> for CircleArc {
         planar::pdf::<F>(turn, |_| RECIP_PI)
     }
 
-    /// One word: its lowest bit is the sign, all of it with that bit set |θ| in quarter turns.
+    /// One word: its top bit is the sign, the others |θ| in quarter turns.
     #[inline]
     fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
         let word = rng.next_u32();
-        let (cos, sin) = F::quarter(word | 1);
-        planar::direction::<F>(cos, sin, word << 31)
+        let (cos, sin) = F::quarter((word << 1) | 1);
+        planar::direction::<F>(cos, sin, word)
     }
 }

@@ -11,7 +11,7 @@ fn ordered(word: u32) -> u32 {
     word.max(word.rotate_right(16))
 }
 
-/// The largest of N = 2, 3 or 4 uniform half-words, in Q32, and the half that N = 3 leaves.
+/// The largest of N = 2, 3 or 4 uniform half-words, in Q32, and the upper half that N = 3 leaves.
 ///
 /// X has the law of U^(1/N). Near 1 it continues with the bits of the halves that lost: given the
 /// maximum they are uniform below it, so their exclusive or is uniform (to 1 − X, relatively).
@@ -22,15 +22,14 @@ pub(crate) fn largest<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> (u32, u32
         return (ordered(first), 0);
     }
     let second = rng.next_u32();
-    let other = if N == 3 { second } else { ordered(second) };
-    let largest = ordered(first).max(other) >> 16;
-    let halves = if N == 3 {
-        second >> 16
+    let (other, halves) = if N == 3 {
+        (second << 16, second)
     } else {
-        second ^ (second >> 16)
+        (ordered(second), second ^ (second >> 16))
     };
+    let largest = ordered(first).max(other) >> 16;
     let mixed = first ^ (first >> 16) ^ halves ^ largest;
-    ((largest << 16) | (mixed & 0xFFFF), second << 16)
+    ((largest << 16) | (mixed & 0xFFFF), second & 0xFFFF_0000)
 }
 
 /// A magnitude in Q15 with the sign of `sign`'s top bit.

@@ -160,11 +160,11 @@ impl Format for Q15 {
         draw::largest::<3, R>(rng)
     }
 
-    /// v = 1 − |sin θ| is a word, and its lowest bit the sign.
+    /// A word's top bit is the sign, the others are v = 1 − |sin θ|.
     #[inline(always)]
     fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 2] {
-        let v = rng.next_u32();
-        let (sin, sign) = (!v >> 1, v << 31);
-        planar::direction::<Q15>(root::complement::<32>(v | 1), sin, sign)
+        let word = rng.next_u32();
+        let v = (word << 1) | 1;
+        planar::direction::<Q15>(root::complement::<32>(v), !v >> 1, word)
     }
 }

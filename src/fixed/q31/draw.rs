@@ -31,7 +31,7 @@ pub(crate) fn less((high, low): (u32, u32)) -> u64 {
     (u64::from(!high) << 32) | u64::from(!low | 1)
 }
 
-/// Two words as one uniform number in Q64, never 0; its lowest bit is free for a sign.
+/// Two words as one, the first on top.
 #[inline(always)]
 pub(crate) fn long<R: Rng + ?Sized>(rng: &mut R) -> u64 {
     let high = rng.next_u32();

@@ -147,18 +147,20 @@ impl Format for Q31 {
         draw::spatial(x.0 >> 1, sqrt::complement(draw::less(x)), rng)
     }
 
-    /// The sign is the lowest bit of the two that lost.
+    /// The sign is the top bit of the first, of which 31 bits are left.
     #[inline(always)]
     fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
-        let (largest, low) = draw::largest::<3, R>(rng);
-        (largest, low << 31)
+        let first = rng.next_u32();
+        let two = ((first << 1) | 1).max(rng.next_u32());
+        (two.max(rng.next_u32()), first)
     }
 
-    /// v = 1 − |sin θ| from two words, and its lowest bit the sign.
+    /// The top bit of two words is the sign, the others are v = 1 − |sin θ|.
     #[inline(always)]
     fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F31; 2] {
-        let v = draw::long(rng);
-        let (sin, sign) = (!((v >> 32) as u32) >> 1, (v as u32) << 31);
-        planar::direction::<Q31>(sqrt::complement(v | 1), sin, sign)
+        let words = draw::long(rng);
+        let v = (words << 1) | 1;
+        let (sin, sign) = (!((v >> 32) as u32) >> 1, (words >> 32) as u32);
+        planar::direction::<Q31>(sqrt::complement(v), sin, sign)
     }
 }
