@@ -17,7 +17,7 @@ use rayon::prelude::*;
 fn agrees<F: Format, W: Wide, V: Wide>(laws: &[Id], n: u64) {
     let n = n - n % 3;
     for &law in laws {
-        for input in [Input::Angle, Input::Tail] {
+        for input in Input::ALL {
             (0..n).into_par_iter().for_each(|i| {
                 let x = stratified::<F>(input.top::<F>(), i, n);
                 if runs_out(law, x) {
