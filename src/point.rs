@@ -1,8 +1,9 @@
 //! The point before it was normalised.
 
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
-use crate::arithmetic::tier::{Holds, Margin};
 use crate::number::Real;
+use crate::number::tier::Margin;
 use crate::{CosSin, Law, Planar, Spatial, uniform};
 use core::fmt;
 use rand_core::Rng;
@@ -102,17 +103,17 @@ pub trait Tangent<T: Real>: Law<T> {
             || {
                 [distance::<T::Quick>(
                     Self::MEASURE,
-                    Holds::of(rho),
-                    Holds::of(cos),
-                    Holds::of(v),
+                    Holds::from_number(rho),
+                    Holds::from_number(cos),
+                    Holds::from_number(v),
                 )]
             },
             || {
-                [distance::<T::Work>(
+                [distance::<T::Accurate>(
                     Self::MEASURE,
-                    Holds::of(rho),
-                    Holds::of(cos),
-                    Holds::of(v),
+                    Holds::from_number(rho),
+                    Holds::from_number(cos),
+                    Holds::from_number(v),
                 )]
             },
         );
@@ -135,15 +136,15 @@ pub trait Tangent<T: Real>: Law<T> {
             || {
                 [density::<T::Quick>(
                     Self::MEASURE,
-                    Holds::of(radius),
-                    Holds::of_pair(at),
+                    Holds::from_number(radius),
+                    Holds::from_components(at),
                 )]
             },
             || {
-                [density::<T::Work>(
+                [density::<T::Accurate>(
                     Self::MEASURE,
-                    Holds::of(radius),
-                    Holds::of_pair(at),
+                    Holds::from_number(radius),
+                    Holds::from_components(at),
                 )]
             },
         );
@@ -161,15 +162,15 @@ pub trait Tangent<T: Real>: Law<T> {
             || {
                 [ln_density::<T::Quick>(
                     Self::MEASURE,
-                    Holds::of(radius),
-                    Holds::of_pair(at),
+                    Holds::from_number(radius),
+                    Holds::from_components(at),
                 )]
             },
             || {
-                [ln_density::<T::Work>(
+                [ln_density::<T::Accurate>(
                     Self::MEASURE,
-                    Holds::of(radius),
-                    Holds::of_pair(at),
+                    Holds::from_number(radius),
+                    Holds::from_components(at),
                 )]
             },
         );
