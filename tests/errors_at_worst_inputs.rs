@@ -40,12 +40,12 @@ fn worst_inputs_of_f64() {
 
 /// Every law where a square or a cube of the cosine or sine is subnormal.
 fn powers_beside_underflow<F: Tiers>() {
-    let least = F::round(2f64.powi(F::LEAST)).wide();
+    let least = F::of(2f64.powi(F::LEAST)).wide();
     let subjects = Subject::<F>::all(&Id::FIXED);
     for root in [least.sqrt(), least.cbrt(), least.sqrt().sqrt(), least] {
         // By steps of a thousandth, from 2⁻⁴⁰ to 2⁴ times the end.
         let x: Vec<F> = (-30_000..3000)
-            .map(|i| F::round(root * 2f64.powf(f64::from(i) / 750.0)))
+            .map(|i| F::of(root * 2f64.powf(f64::from(i) / 750.0)))
             .collect();
         for input in [Input::Cos, Input::Sin] {
             let broken = broken(&subjects, &judge(&subjects, input, &x));

@@ -4,14 +4,14 @@ use coslobe::{
     Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Measure, Precise, Radius,
     SphereShell, Tangent,
 };
+use kit::Number;
 use kit::accuracy::format::{Format, ulp};
-use kit::accuracy::values::Tier;
 use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 /// Allowed ulps of distances and densities: as the docs of `Tangent` state, or 2⁻¹².
-fn allowed<T: Tier>() -> f64 {
+fn allowed<T: Number>() -> f64 {
     match T::NAME {
         "Precise<f32>" => 0.5,
         "Precise<f64>" => 0.55,
@@ -20,15 +20,15 @@ fn allowed<T: Tier>() -> f64 {
     }
 }
 
-type Fine<T> = <<T as Tier>::Raw as Format>::Fine;
+type Fine<T> = <<T as Number>::Raw as Format>::Fine;
 
-fn fine<T: Tier>(x: T) -> Fine<T> {
-    Fine::<T>::of(x.raw().wide())
+fn fine<T: Number>(x: T) -> Fine<T> {
+    Fine::<T>::of(x.wide())
 }
 
 /// |got − want| in ulps of the larger of `want` and `scale`; subnormal values in theirs.
-fn error<T: Tier>(got: T, want: Fine<T>, scale: f64) -> f64 {
-    let (near, raw) = (want.near(), got.raw().wide());
+fn error<T: Number>(got: T, want: Fine<T>, scale: f64) -> f64 {
+    let (near, raw) = (want.near(), got.wide());
     let beyond = near >= T::Raw::MAX_VALUE + ulp::<T::Raw>(T::Raw::MAX_VALUE) / 2.0;
     if raw.is_infinite() && (beyond || near == raw) {
         return 0.0;
@@ -76,7 +76,7 @@ fn density<W: Wide>(measure: Measure, rho: W, cos: W, sin: W) -> (W, W, f64) {
     (value, log, ln_power.near().abs())
 }
 
-fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, at: CosSin<T>, v: T) {
+fn judge<T: Number, L: Tangent<T>>(law: &L, rho: T, at: CosSin<T>, v: T) {
     let allowed = allowed::<T>();
     let radius = Radius::new(rho).expect("a valid radius");
     let r = law.distance(radius, at, v);
@@ -97,7 +97,7 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, at: CosSin<T>, v: T) {
     if matches!(L::MEASURE, Measure::Area | Measure::Volume) {
         let reach = fine(rho) * Fine::<T>::of(2.0) * fine(at.cos);
         let beyond = reach.near() * 1.001 + ulp::<T::Raw>(0.0) * 2.0;
-        let beyond = T::of(T::Raw::round(beyond));
+        let beyond = T::of(beyond);
         assert_eq!(law.point_density(radius, at, beyond), T::ZERO, "{place}");
         assert_eq!(
             law.ln_point_density(radius, at, beyond),
@@ -107,7 +107,7 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, at: CosSin<T>, v: T) {
     }
 }
 
-fn every_law<T: Tier>(rho: T, at: CosSin<T>, v: T) {
+fn every_law<T: Number>(rho: T, at: CosSin<T>, v: T) {
     judge(&Disk, rho, at, v);
     judge(&CircleArc, rho, at, v);
     judge(&CircleShell, rho, at, v);
@@ -117,9 +117,9 @@ fn every_law<T: Tier>(rho: T, at: CosSin<T>, v: T) {
 }
 
 /// The pair of a cosine or of a sine, the other component rounded.
-fn pair<T: Tier>(x: T, is_cos: bool) -> CosSin<T> {
+fn pair<T: Number>(x: T, is_cos: bool) -> CosSin<T> {
     let one = Fine::<T>::of(1.0);
-    let other = T::of(T::Raw::round((one - fine(x) * fine(x)).root().near()));
+    let other = T::of((one - fine(x) * fine(x)).root().near());
     if is_cos {
         CosSin { cos: x, sin: other }
     } else {
@@ -129,15 +129,15 @@ fn pair<T: Tier>(x: T, is_cos: bool) -> CosSin<T> {
 
 /// Radii over the whole admitted range, the ends included; cosines, sines and v by their logarithm
 /// down to the least number (for `Fast`, which promises nothing there, to the least normal one).
-fn everywhere<T: Tier>() {
+fn everywhere<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(17);
     let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
-    let round = |x: f64| T::of(T::Raw::round(x));
+    let round = |x: f64| T::of(x);
     let least = 2f64.powi(T::Raw::LEAST);
     let (low, high) = (least.log2(), (T::Raw::MAX_VALUE / 4.0).log2());
-    let one = T::Raw::round(1.0).bits();
+    let one = T::Raw::of(1.0).bits();
     let floor = if T::NAME.starts_with("Fast") {
-        T::Raw::round(least).bits() as f64
+        T::Raw::of(least).bits() as f64
     } else {
         1.0
     };
@@ -152,7 +152,7 @@ fn everywhere<T: Tier>() {
         let rho = round(rho);
         let mut logarithmic = || {
             let bits = floor + (one as f64 - floor) * unit();
-            T::of(T::Raw::of_bits(bits as u64))
+            T::of_raw(T::Raw::of_bits(bits as u64))
         };
         let [x, v] = [logarithmic(), logarithmic()];
         if i % 2 == 0 {

@@ -37,7 +37,7 @@ impl Input {
         match self {
             Input::Angle => F::TOP_ANGLE,
             Input::Tail => F::HALF_BITS,
-            Input::Cos | Input::Sin => F::round(1.0).bits(),
+            Input::Cos | Input::Sin => F::of(1.0).bits(),
         }
     }
 

@@ -71,7 +71,7 @@ impl<F: Format> Truth<F> {
             if far.is_finite() {
                 self.decide(i, far, terms, fine);
             } else {
-                self.store(i, F::Wide::of(far), far, 1.0, F::round(far));
+                self.store(i, F::Wide::of(far), far, 1.0, F::of(far));
             }
         }
     }

@@ -21,7 +21,7 @@ pub struct Angle<F: Format> {
 impl<F: Format> Angle<F> {
     pub fn new(theta: F) -> Self {
         let at = Direction::<F::Wide>::at_angle(theta.wide()).with_logs();
-        let (cos, sin) = (F::round(at.cos.near()), F::round(at.sin.near()));
+        let (cos, sin) = (F::of(at.cos.near()), F::of(at.sin.near()));
         Angle {
             theta,
             pair: CosSin { cos, sin },
@@ -33,11 +33,11 @@ impl<F: Format> Angle<F> {
     /// The pair whose cosine or sine is `x`, the other component rounded.
     pub fn of_component(x: F, is_cos: bool) -> Self {
         let (one, x_wide) = (F::Wide::of(1.0), F::Wide::of(x.wide()));
-        let other = F::round((one - x_wide * x_wide).root().near());
+        let other = F::of((one - x_wide * x_wide).root().near());
         let (cos, sin) = if is_cos { (x, other) } else { (other, x) };
         let paired = Direction::<F::Wide>::at_pair(cos.wide(), sin.wide());
         Angle {
-            theta: F::round(paired.theta.near()),
+            theta: F::of(paired.theta.near()),
             pair: CosSin { cos, sin },
             at: None,
             paired,

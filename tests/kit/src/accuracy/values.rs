@@ -1,73 +1,9 @@
 //! Number types over a raw format, and the values of a law in one of them.
 
-use super::format::Format;
 use super::op::{AT_ANGLE, AT_TAIL};
-use coslobe::{CosSin, Fast, Law, Precise, Real};
+use crate::Number;
+use coslobe::{CosSin, Law};
 use std::marker::PhantomData;
-
-/// A number type that wraps a format: the accuracy tier that its name says.
-pub trait Tier: Real {
-    type Raw: Format;
-    /// As in the tables.
-    const NAME: &'static str;
-    fn of(raw: Self::Raw) -> Self;
-    fn raw(self) -> Self::Raw;
-}
-
-impl Tier for f32 {
-    type Raw = f32;
-    const NAME: &'static str = "f32";
-    fn of(raw: f32) -> f32 {
-        raw
-    }
-    fn raw(self) -> f32 {
-        self
-    }
-}
-
-impl Tier for f64 {
-    type Raw = f64;
-    const NAME: &'static str = "f64";
-    fn of(raw: f64) -> f64 {
-        raw
-    }
-    fn raw(self) -> f64 {
-        self
-    }
-}
-
-impl Tier for Precise<f32> {
-    type Raw = f32;
-    const NAME: &'static str = "Precise<f32>";
-    fn of(raw: f32) -> Self {
-        Precise(raw)
-    }
-    fn raw(self) -> f32 {
-        self.0
-    }
-}
-
-impl Tier for Precise<f64> {
-    type Raw = f64;
-    const NAME: &'static str = "Precise<f64>";
-    fn of(raw: f64) -> Self {
-        Precise(raw)
-    }
-    fn raw(self) -> f64 {
-        self.0
-    }
-}
-
-impl Tier for Fast<f32> {
-    type Raw = f32;
-    const NAME: &'static str = "Fast<f32>";
-    fn of(raw: f32) -> Self {
-        Fast(raw)
-    }
-    fn raw(self) -> f32 {
-        self.0
-    }
-}
 
 /// All values of a law at an input in one call, so that the compiler may share work among them.
 pub trait Values<F>: Send + Sync {
@@ -104,14 +40,14 @@ impl<T, L, S> On<T, L, S> {
 
 impl<T, L, S> Values<T::Raw> for On<T, L, S>
 where
-    T: Tier,
+    T: Number,
     L: Law<T> + Send + Sync,
     S: Fn(&L, T) -> T + Send + Sync,
 {
     #[inline]
     fn at_angle(&self, theta: Option<T::Raw>, pair: CosSin<T::Raw>) -> [T::Raw; AT_ANGLE.len()] {
         let law = &self.law;
-        let (cos, sin) = (T::of(pair.cos), T::of(pair.sin));
+        let (cos, sin) = (T::of_raw(pair.cos), T::of_raw(pair.sin));
         let pair = CosSin { cos, sin };
         let zero = T::default();
         let mut values = [zero; AT_ANGLE.len()];
@@ -121,7 +57,7 @@ where
             let mirrored = CosSin { cos, sin: -sin };
             (values[11], values[12]) = (law.unwarp(mirrored), law.unwarp_sf(mirrored));
         }
-        if let Some(theta) = theta.map(T::of) {
+        if let Some(theta) = theta.map(T::of_raw) {
             (values[0], values[1]) = (law.pdf(theta), law.ln_pdf(theta));
             values[2] = (self.solid)(law, theta);
             (values[5], values[6]) = (law.cdf(theta), law.sf(theta));
@@ -134,18 +70,18 @@ where
 
     #[inline]
     fn at_tail(&self, p: T::Raw) -> [T::Raw; AT_TAIL.len()] {
-        let (law, p) = (&self.law, T::of(p));
+        let (law, p) = (&self.law, T::of_raw(p));
         let (lower, upper) = (law.warp(p), law.warp_sf(p));
         let (quantile, isf) = (law.quantile(p), law.isf(p));
         [lower.cos, lower.sin, upper.cos, upper.sin, quantile, isf].map(T::raw)
     }
 
     fn quantile(&self, p: T::Raw) -> T::Raw {
-        self.law.quantile(T::of(p)).raw()
+        self.law.quantile(T::of_raw(p)).raw()
     }
 
     fn isf(&self, p: T::Raw) -> T::Raw {
-        self.law.isf(T::of(p)).raw()
+        self.law.isf(T::of_raw(p)).raw()
     }
 
     fn angles(&self, theta: Option<&[T::Raw]>, pairs: &[CosSin<T::Raw>], out: &mut [Vec<T::Raw>]) {
