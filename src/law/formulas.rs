@@ -7,6 +7,7 @@ use super::Law;
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::into_support;
 use crate::number::Real;
 use crate::number::tier::Margin;
@@ -50,8 +51,8 @@ pub trait Own {}
 
 /// A law without a parameter, which is the same in every arithmetic.
 pub trait Parameterless: Own + Copy {
-    /// Exact moments.
-    fn moments<B: Native>() -> Moments<B>;
+    /// Exact moments, with digits to spare for one rounding.
+    fn moments<B: Native>() -> Moments<Pair<B>>;
 }
 
 /// A law in the two phases of a number type.
@@ -66,6 +67,11 @@ pub trait Phases<T: Real> {
     fn quick(&self) -> Self::Quick;
     fn accurate(&self) -> Self::Accurate;
     fn moments(&self) -> Moments<T>;
+}
+
+/// The variance of what has this mean and this mean square.
+pub(crate) fn variance<B: Native>(mean_square: Pair<B>, mean: Pair<B>) -> Pair<B> {
+    mean_square.add(mean.mul(mean).neg())
 }
 
 impl<T: Real, L> Phases<T> for L
@@ -87,7 +93,7 @@ where
 
     #[inline]
     fn moments(&self) -> Moments<T> {
-        L::moments::<T::Base>().map(T::from_base)
+        L::moments::<T::Base>().map(|x| T::from_base(x.value()))
     }
 }
 
