@@ -88,7 +88,7 @@ fn crosses_zero<T: Tiers>() {
                     below = middle
                 }
             }
-            let middle = T::round(below).bits();
+            let middle = T::of(below).bits();
             let around: Vec<_> = (middle - 200..middle + 200).map(T::of_bits).collect();
             let tally = judge(&subjects, Input::Angle, &around);
             holds(&subjects, &tally);

@@ -61,7 +61,7 @@ impl<F: Format> Truth<F> {
         } else if near.is_finite() {
             self.decide(i, near, terms, fine());
         } else {
-            self.store(i, want, near, 1.0, F::round(near));
+            self.store(i, want, near, 1.0, F::of(near));
         }
     }
 

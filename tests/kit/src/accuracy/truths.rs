@@ -20,7 +20,7 @@ pub struct Angle<F: Format> {
 impl<F: Format> Angle<F> {
     pub fn new(theta: F) -> Self {
         let at = Direction::<F::Wide>::at_angle(theta.wide()).with_logs();
-        let (cos, sin) = (F::round(at.cos.near()), F::round(at.sin.near()));
+        let (cos, sin) = (F::of(at.cos.near()), F::of(at.sin.near()));
         Angle {
             theta,
             pair: CosSin { cos, sin },

@@ -1,73 +1,9 @@
 //! Number types over a raw format, and the values of a law in one of them.
 
-use super::format::Format;
 use super::op::{AT_ANGLE, AT_TAIL};
-use coslobe::{CosSin, Fast, Law, Precise, Real};
+use crate::Number;
+use coslobe::{CosSin, Law};
 use std::marker::PhantomData;
-
-/// A number type that wraps a format: the accuracy tier that its name says.
-pub trait Tier: Real {
-    type Raw: Format;
-    /// As in the tables.
-    const NAME: &'static str;
-    fn of(raw: Self::Raw) -> Self;
-    fn raw(self) -> Self::Raw;
-}
-
-impl Tier for f32 {
-    type Raw = f32;
-    const NAME: &'static str = "f32";
-    fn of(raw: f32) -> f32 {
-        raw
-    }
-    fn raw(self) -> f32 {
-        self
-    }
-}
-
-impl Tier for f64 {
-    type Raw = f64;
-    const NAME: &'static str = "f64";
-    fn of(raw: f64) -> f64 {
-        raw
-    }
-    fn raw(self) -> f64 {
-        self
-    }
-}
-
-impl Tier for Precise<f32> {
-    type Raw = f32;
-    const NAME: &'static str = "Precise<f32>";
-    fn of(raw: f32) -> Self {
-        Precise(raw)
-    }
-    fn raw(self) -> f32 {
-        self.0
-    }
-}
-
-impl Tier for Precise<f64> {
-    type Raw = f64;
-    const NAME: &'static str = "Precise<f64>";
-    fn of(raw: f64) -> Self {
-        Precise(raw)
-    }
-    fn raw(self) -> f64 {
-        self.0
-    }
-}
-
-impl Tier for Fast<f32> {
-    type Raw = f32;
-    const NAME: &'static str = "Fast<f32>";
-    fn of(raw: f32) -> Self {
-        Fast(raw)
-    }
-    fn raw(self) -> f32 {
-        self.0
-    }
-}
 
 /// All values of a law at an input in one call, so that the compiler may share work among them.
 pub trait Values<F>: Send + Sync {
@@ -104,14 +40,14 @@ impl<T, L, S> On<T, L, S> {
 
 impl<T, L, S> Values<T::Raw> for On<T, L, S>
 where
-    T: Tier,
+    T: Number,
     L: Law<T> + Send + Sync,
     S: Fn(&L, T) -> T + Send + Sync,
 {
     #[inline]
     fn at_angle(&self, theta: T::Raw, pair: CosSin<T::Raw>) -> [T::Raw; AT_ANGLE.len()] {
-        let (law, theta) = (&self.law, T::of(theta));
-        let (cos, sin) = (T::of(pair.cos), T::of(pair.sin));
+        let (law, theta) = (&self.law, T::of_raw(theta));
+        let (cos, sin) = (T::of_raw(pair.cos), T::of_raw(pair.sin));
         let pair = CosSin { cos, sin };
         let zero = T::default();
         let mut values = [zero; AT_ANGLE.len()];
@@ -140,18 +76,18 @@ where
 
     #[inline]
     fn at_tail(&self, p: T::Raw) -> [T::Raw; AT_TAIL.len()] {
-        let (law, p) = (&self.law, T::of(p));
+        let (law, p) = (&self.law, T::of_raw(p));
         let (lower, upper) = (law.warp(p), law.warp_sf(p));
         let (quantile, isf) = (law.quantile(p), law.isf(p));
         [lower.cos, lower.sin, upper.cos, upper.sin, quantile, isf].map(T::raw)
     }
 
     fn quantile(&self, p: T::Raw) -> T::Raw {
-        self.law.quantile(T::of(p)).raw()
+        self.law.quantile(T::of_raw(p)).raw()
     }
 
     fn isf(&self, p: T::Raw) -> T::Raw {
-        self.law.isf(T::of(p)).raw()
+        self.law.isf(T::of_raw(p)).raw()
     }
 
     fn angles(&self, theta: &[T::Raw], pairs: &[CosSin<T::Raw>], out: &mut [Vec<T::Raw>]) {
