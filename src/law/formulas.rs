@@ -41,12 +41,6 @@ pub trait Formulas<W: Kernel> {
 /// `impl<T: Real> Law<T> for Mine`, the compiler must see that the blanket implementation does not
 /// cover `Mine`. With `Phases<T>` alone it cannot, and refuses: a third crate might implement
 /// `Phases` of a number type of its own for `Mine` (E0119).
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law",
-    label = "not a law of directions",
-    note = "the laws are Disk, CircleShell, CircleArc, Ball, SphereShell, Lambert and CosPower; \
-            one of your own implements `coslobe::Law`"
-)]
 pub trait Own {}
 
 /// A law without a parameter, which is the same in every arithmetic.
@@ -56,11 +50,6 @@ pub trait Parameterless: Own + Copy {
 }
 
 /// A law in the two phases of a number type.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law in the number type `{T}`",
-    label = "no law in `{T}`",
-    note = "a law with a parameter, such as CosPower, works in the number type of its parameter"
-)]
 pub trait Phases<T: Real> {
     type Quick: Formulas<T::Quick>;
     type Accurate: Formulas<T::Accurate>;

@@ -32,6 +32,10 @@ use rand_core::Rng;
 /// `f32`'s `FRAC_PI_2` lies beyond it. All functions are total: NaN gives NaN; outside the
 /// support the density is 0, its logarithm −∞ and the cdf 0 or 1; a probability outside
 /// \[0, 1\] gives NaN. No input panics. The accuracy of each is in [`accuracy`](crate::accuracy).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the number type `{T}`",
+    label = "no law of a direction in `{T}`"
+)]
 pub trait Law<T: Real> {
     /// Density of θ: per radian for planar laws; for spatial ones per dθ dφ (the paper's q),
     /// that is [`Spatial::pdf_solid_angle`] times sin θ.
@@ -132,6 +136,11 @@ pub trait Law<T: Real> {
 }
 
 /// Laws of a direction in the plane.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the plane, of the number type `{T}`",
+    label = "not planar",
+    note = "the laws in the plane are Disk, CircleShell and CircleArc"
+)]
 pub trait Planar<T: Real>: Law<T> {
     /// Draws \[sin θ, cos θ\]: a unit vector with cos θ > 0.
     ///
@@ -156,6 +165,11 @@ pub trait Planar<T: Real>: Law<T> {
 }
 
 /// Laws of a direction in space, uniform in azimuth.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in space, of the number type `{T}`",
+    label = "not spatial",
+    note = "the laws in space are Ball, SphereShell, Lambert and CosPower"
+)]
 pub trait Spatial<T: Real>: Law<T> {
     /// Density per steradian at polar angle θ.
     fn pdf_solid_angle(&self, theta: T) -> T;

@@ -2,7 +2,8 @@
 
 use super::BY_SUMS;
 
-/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2²³ become multiples of 2ⁿ.
+/// The bits of a float whose last place counts 2ⁿ, n = `ulp`: with an integer below 2²³ in its last
+/// places it is more by that many times 2ⁿ.
 const fn carrier(ulp: i32) -> u32 {
     ((127 + 23 + ulp) as u32) << 23
 }
