@@ -68,21 +68,15 @@ fn paths(tree: &str) -> Vec<String> {
         .collect()
 }
 
-/// What the text names by `crate::` or `super::`: its `use`s but for the ones that hand names on, and
-/// paths in the code.
+/// What the text names: its `use`s but for the ones that hand names on, and paths by `crate::` in
+/// the code.
 fn named(text: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut rest = String::new();
     for statement in text.split_inclusive(';') {
-        let start = statement.rfind("use ").filter(|&i| {
-            let before = statement[..i].trim_end_matches("pub ");
-            before.is_empty() || before.ends_with(['\n', ' '])
-        });
-        match start {
-            Some(i) if !statement[..i].ends_with("pub ") => {
-                found.extend(paths(statement[i + 4..].trim_end_matches(';')));
-            }
-            Some(_) => {} // a face
+        match used(statement) {
+            Some((false, tree)) => found.extend(paths(tree)),
+            Some((true, _)) => {}
             None => rest += statement,
         }
     }
@@ -93,12 +87,24 @@ fn named(text: &str) -> Vec<String> {
     found
 }
 
+/// Whether a `use` hands its names on, and its tree.
+fn used(statement: &str) -> Option<(bool, &str)> {
+    let line = statement.trim_end_matches(';');
+    let start = line
+        .rfind("use ")
+        .filter(|&i| i == 0 || line[..i].ends_with(['\n', ' ']))?;
+    let before = line[..start].rsplit('\n').next().unwrap();
+    Some((before.trim_start().starts_with("pub"), &line[start + 4..]))
+}
+
 /// Names that a module hands on, and where they are from.
 fn faces(text: &str, module: &[String]) -> BTreeMap<String, Vec<String>> {
     let mut handed = BTreeMap::new();
-    for statement in text.split(';') {
-        let face = statement.rfind("pub use ").map(|i| &statement[i + 8..]);
-        for path in face.into_iter().flat_map(paths) {
+    for statement in text.split_inclusive(';') {
+        let Some((true, tree)) = used(statement) else {
+            continue;
+        };
+        for path in paths(tree) {
             let mut parts: Vec<String> = path.split("::").map(str::to_owned).collect();
             let name = parts.last().unwrap().clone();
             match parts[0].as_str() {
@@ -186,6 +192,9 @@ fn trees_of_uses() {
             "crate::uniform"
         ]
     );
-    assert_eq!(named("pub use a::B;\nuse super::c::D;"), ["super::c::D"]);
+    assert_eq!(
+        named("pub(crate) use a::B;\nuse super::c::D;"),
+        ["super::c::D"]
+    );
     assert_eq!(named("fn f() {\n    crate::a::b(1)\n}"), ["crate::a::b"]);
 }
