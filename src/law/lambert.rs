@@ -63,7 +63,8 @@ impl<W: Kernel> Formulas<W> for Lambert {
     #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
-        let p = W::ln_cos(at) - W::CONSTANTS.ln_pi.value() + at.sin.value().ln();
+        let p = at.cos.times(W::CONSTANTS.recip_pi);
+        let p = p.value().ln() + at.sin.value().ln();
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 

@@ -67,9 +67,8 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
-        let p = W::CONSTANTS.ln_three_over_two_pi.value()
-            + W::ln_cos(at) * W::int(2)
-            + at.sin.value().ln();
+        let p = at.cos.times(at.cos).times(W::CONSTANTS.three_over_two_pi);
+        let p = p.value().ln() + at.sin.value().ln();
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
