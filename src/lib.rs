@@ -67,8 +67,18 @@
 //! ball and sphere*; [`SphereShell`] and [`CircleShell`] say where its measure differs from its
 //! problem statement.
 
+#[cfg(feature = "std")]
+extern crate std;
+
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!(
+    "coslobe gives the same bits on every target, and x87 registers round to more digits than f32 \
+     and f64 have: build with RUSTFLAGS=\"-C target-feature=+sse2\", or for an i686 target"
+);
+
 pub mod accuracy;
 mod arithmetic;
+pub mod batch;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
@@ -86,6 +96,7 @@ mod tails;
 pub mod uniform;
 mod weight;
 
+pub use batch::{Batch, LengthError};
 pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
 pub use fixed::{Fixed, Fixed16};
