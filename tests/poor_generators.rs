@@ -4,18 +4,21 @@
 use coslobe::fixed::{CosPower, Fixed16Law, FixedLaw};
 use coslobe::rand_core::Rng;
 use coslobe::{
-    Ball, CircleArc, CircleShell, Disk, Fast, Fixed, Fixed16, Lambert, Law, PlanarPoint, Precise,
-    Spatial, SphereShell, from_fn,
+    Ball, CircleArc, CircleShell, Disk, Fixed, Fixed16, Lambert, Law, SphereShell, from_fn,
 };
 use fixed::traits::ToFixed;
 use fixed::types::{I1F15, I1F31, U16F16};
-use kit::stats::laws::{Claim, Direction, Float, Visitor, each};
+use kit::catalogue::{every_law, every_number};
+use kit::stats::claim::{Claim, Direction};
+use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Far below the generators' periods, but not below 2¹⁶, that of the lower half of an LCG's words.
 const N: usize = 1 << 16;
 /// Of some 500 tests none fails by chance at this level.
 const ALARM: f64 = 1e-7;
+
+const EXPONENTS: [f64; 3] = [0.0, 7.25, 100.0];
 
 type Draw = Box<dyn Fn(&mut dyn Rng) -> Direction>;
 
@@ -159,8 +162,9 @@ fn failures(subject: &Subject, generator: &mut Generator) -> Vec<String> {
 
 struct Collect(Vec<Subject>);
 
-impl<T: Float> Visitor<T> for Collect {
-    fn planar<L: PlanarPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+impl<T: Number> LawVisitor<T> for Collect {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         let draw: Draw = Box::new(move |rng| {
             let [x, y] = law.sample(rng).map(Into::into);
             [x, y, 0.0]
@@ -168,7 +172,8 @@ impl<T: Float> Visitor<T> for Collect {
         self.0.push(Subject { claim, draw });
     }
 
-    fn spatial<L: Spatial<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         let draw: Draw = Box::new(move |rng| law.sample(rng).map(Into::into));
         self.0.push(Subject { claim, draw });
     }
@@ -190,15 +195,16 @@ fn fixed16<L: Fixed16Law<Direction: AsRef<[I1F15]>> + 'static>(law: L) -> Draw {
     Box::new(move |rng| padded(Fixed16(law).sample(rng).as_ref()))
 }
 
+impl NumberVisitor for Collect {
+    fn number<T: Number>(&mut self) {
+        every_law::<T>(self, &EXPONENTS);
+    }
+}
+
 /// Every law in every number type.
 fn subjects() -> Vec<Subject> {
-    let exponents = [0.0, 7.25, 100.0];
     let mut all = Collect(Vec::new());
-    each::<f32>(&mut all, &exponents);
-    each::<f64>(&mut all, &exponents);
-    each::<Fast<f32>>(&mut all, &exponents);
-    each::<Precise<f32>>(&mut all, &exponents);
-    each::<Precise<f64>>(&mut all, &exponents);
+    every_number(&mut all);
     let Collect(mut all) = all;
     let mut of = |name: String, planar, k, draw| {
         let claim = Claim::new::<f64>(&name, planar, k, Lambert.moments());
@@ -211,7 +217,7 @@ fn subjects() -> Vec<Subject> {
     of("Fixed Ball".into(), false, 3.0, fixed(Ball));
     of("Fixed SphereShell".into(), false, 2.0, fixed(SphereShell));
     of("Fixed Lambert".into(), false, 1.0, fixed(Lambert));
-    for k in exponents {
+    for k in EXPONENTS {
         let law = CosPower::new(k.to_fixed::<U16F16>());
         of(format!("Fixed CosPower({k})"), false, k, fixed(law));
     }

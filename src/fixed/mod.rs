@@ -130,6 +130,7 @@ mod circle_arc;
 mod circle_shell;
 mod cos_power;
 mod disk;
+mod drawn;
 mod format;
 mod integers;
 mod kernel;
