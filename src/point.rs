@@ -93,8 +93,8 @@ pub trait Tangent<T: Real>: Law<T> {
     /// Distance r of the point in direction `at`, for a uniform v in \[0, 1\] that only
     /// [`Measure::Area`] and [`Measure::Volume`] read.
     ///
-    /// No product on the way is smaller than r, so that only an r below the smallest number becomes 0.
-    /// Error < 4 ulp; of `Precise` at most 0.55.
+    /// No product on the way is smaller than r, so that only an r below the smallest number
+    /// becomes 0. Error < 4 ulp; of `Precise` at most 0.55.
     #[inline]
     fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T {
         let (rho, cos) = (rho.get(), at.cos);

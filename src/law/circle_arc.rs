@@ -12,7 +12,8 @@ use rand_core::Rng;
 
 /// Direction of a point uniform **by arc length** on a circle tangent to the origin.
 ///
-/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal angles:
+/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal
+/// angles:
 ///
 /// > p(θ) = 1/π per radian, θ ∈ \[−π/2, π/2\]
 ///

@@ -10,7 +10,8 @@ use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
-/// Direction of a point of a **radial shell** on a circle tangent to the origin (paper 3.2, "circle").
+/// Direction of a point of a **radial shell** on a circle tangent to the origin (paper 3.2,
+/// "circle").
 ///
 /// The shell has constant thickness along the ray, not across the curve: the paper's measure is
 /// δ(r − 2ρ cos θ) r dr dθ, whose mass 4ρ gives the density

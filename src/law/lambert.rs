@@ -12,17 +12,18 @@ use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
-/// Direction of a point uniform **by surface area** on a sphere tangent to the origin: Lambert's law.
+/// Direction of a point uniform **by surface area** on a sphere tangent to the origin: Lambert's
+/// law.
 ///
-/// The surface element of r = 2ρ cos θ is r √(r² + r′²) sin θ dθ dφ = 4ρ² cos θ sin θ dθ dφ, of 4πρ²
-/// in all:
+/// The surface element of r = 2ρ cos θ is r √(r² + r′²) sin θ dθ dφ = 4ρ² cos θ sin θ dθ dφ, of
+/// 4πρ² in all:
 ///
 /// > cos θ / π per steradian; q = cos θ sin θ / π per dθ dφ, θ ∈ \[0, π/2\]
 ///
-/// with cdf sin²θ. Also exported as [`SphereArea`](crate::SphereArea), the name that says its measure.
-/// The paper's section 4.2 sets out to find this law but measures a radial shell, which gives
-/// [`SphereShell`](crate::SphereShell). Its weight for a Lambert reflector is 1: zero variance under a
-/// constant sky.
+/// with cdf sin²θ. Also exported as [`SphereArea`](crate::SphereArea), the name that says its
+/// measure. The paper's section 4.2 sets out to find this law but measures a radial shell, which
+/// gives [`SphereShell`](crate::SphereShell). Its weight for a Lambert reflector is 1: zero
+/// variance under a constant sky.
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three

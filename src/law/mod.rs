@@ -46,7 +46,8 @@ pub trait Law<T: Real> {
     /// that is [`Spatial::pdf_solid_angle`] times sin θ.
     fn pdf(&self, theta: T) -> T;
 
-    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is 0.
+    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is
+    /// 0.
     fn ln_pdf(&self, theta: T) -> T;
 
     /// (cdf, sf) of θ, azimuth integrated out, each to full relative accuracy.

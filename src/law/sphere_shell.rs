@@ -12,15 +12,17 @@ use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
 
-/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2, "sphere").
+/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
+/// "sphere").
 ///
 /// The shell has constant thickness along the ray, not across the surface: the paper's measure is
 /// δ(r − 2ρ cos θ) r² sin θ dr dθ dφ, whose mass 8πρ²/3 gives the density
 ///
 /// > 3 cos²θ / (2π) per steradian; q = 3 cos²θ sin θ / (2π) per dθ dφ, θ ∈ \[0, π/2\]
 ///
-/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law instead:
-/// the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here, ⅔ there.
+/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law
+/// instead: the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here,
+/// ⅔ there.
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
