@@ -97,12 +97,12 @@ pub use cos_sin::CosSin;
 pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
 pub use law::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Planar, Spatial,
-    SphereArea, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Measure, Planar,
+    Spatial, SphereArea, SphereShell,
 };
 pub use moments::Moments;
 pub use number::{Fast, Precise, Real};
-pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
+pub use point::{PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
 pub use sample::Sample;
 pub use tails::Tails;

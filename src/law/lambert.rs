@@ -2,6 +2,7 @@
 
 use super::Spatial;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -9,7 +10,7 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by surface area** on a sphere tangent to the origin: Lambert's
@@ -125,8 +126,21 @@ impl Parameterless for Lambert {
     }
 }
 
-impl<T: Real> Tangent<T> for Lambert {
+impl Point for Lambert {
     const MEASURE: Measure = Measure::SurfaceArea;
+    const IS_PLANAR: bool = false;
+
+    /// 1/(4πρ²).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi * W::QUARTER / rho * (W::ONE / rho)
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_pi.value() + (W::CONSTANTS.ln_2.value() + rho.ln()) * W::int(2))
+    }
 }
 
 impl<T: Real> Spatial<T> for Lambert {

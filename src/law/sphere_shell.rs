@@ -2,6 +2,7 @@
 
 use super::Spatial;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -9,7 +10,7 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
@@ -151,8 +152,20 @@ impl Parameterless for SphereShell {
     }
 }
 
-impl<T: Real> Tangent<T> for SphereShell {
+impl Point for SphereShell {
     const MEASURE: Measure = Measure::SphereShell;
+    const IS_PLANAR: bool = false;
+
+    /// 3 cos²θ sin θ / 2π.
+    #[inline]
+    fn point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value() * at.sin
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        W::CONSTANTS.ln_three_over_two_pi.value() + at.cos.ln() * W::int(2) + at.sin.ln()
+    }
 }
 
 /// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.
