@@ -1,4 +1,4 @@
-//! A direction as its cosine and sine.
+//! A direction by its cosine and sine.
 
 use crate::scalar::Scalar;
 
@@ -6,8 +6,8 @@ use crate::scalar::Scalar;
 ///
 /// Near the axis the sine, near the horizon the cosine holds the digits that an angle beside
 /// ±π/2 has lost; together they keep full relative accuracy everywhere. Operations that read a
-/// pair take the direction from the smaller of |cos| and |sin| unless they say otherwise. A pair that
-/// is not a unit vector to rounding is safe, but no value is promised for it.
+/// direction take it from the smaller of |cos| and |sin| unless they say otherwise. A pair of numbers
+/// that is no unit vector to rounding is safe, but no value is promised for it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

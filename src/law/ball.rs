@@ -1,9 +1,10 @@
 //! Uniform by volume in a ball.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
@@ -120,9 +121,21 @@ impl<W: Kernel> Formulas<W> for Ball {
 impl Own for Ball {}
 
 impl Parameterless for Ball {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.ball_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = Pair::ratio(4, 5);
+        let mean_theta = c.pi.mul(Pair::ratio(3, 16));
+        let mean_theta_squared =
+            c.pi.mul(c.pi)
+                .mul(Pair::ratio(3, 32))
+                .add(Pair::ratio(-1, 2));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(2, 3), mean_cos),
+            mean_theta,
+            var_theta: variance(mean_theta_squared, mean_theta),
+            entropy: Pair::ratio(3, 4).add(c.ln_two_over_pi.neg()),
+        }
     }
 }
 

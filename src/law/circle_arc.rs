@@ -1,9 +1,10 @@
 //! Uniform by arc length on a circle.
 
 use super::Planar;
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
@@ -112,9 +113,16 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 impl Own for CircleArc {}
 
 impl Parameterless for CircleArc {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.circle_arc_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.two_over_pi;
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(1, 2), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c.pi.mul(c.pi).mul(Pair::ratio(1, 12)),
+            entropy: c.ln_pi,
+        }
     }
 }
 

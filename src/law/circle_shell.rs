@@ -1,9 +1,10 @@
 //! Uniform by radial thickness on a circle: the paper's circle, and the flat world's Lambert law.
 
 use super::Planar;
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
@@ -109,9 +110,16 @@ impl<W: Kernel> Formulas<W> for CircleShell {
 impl Own for CircleShell {}
 
 impl Parameterless for CircleShell {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.circle_shell_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.half_pi.half();
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(2, 3), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c.half_pi.mul(c.half_pi).add(Pair::ratio(-2, 1)),
+            entropy: Pair::exact(B::ONE),
+        }
     }
 }
 

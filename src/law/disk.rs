@@ -1,9 +1,10 @@
 //! Uniform by area in a disk.
 
 use super::Planar;
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
@@ -107,9 +108,20 @@ impl<W: Kernel> Formulas<W> for Disk {
 impl Own for Disk {}
 
 impl Parameterless for Disk {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.disk_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.recip_pi.mul(Pair::ratio(8, 3));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(3, 4), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c
+                .pi
+                .mul(c.pi)
+                .mul(Pair::ratio(1, 12))
+                .add(Pair::ratio(-1, 2)),
+            entropy: c.ln_two_pi.add(Pair::ratio(-1, 1)),
+        }
     }
 }
 

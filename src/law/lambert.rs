@@ -1,9 +1,10 @@
 //! Uniform by area on a sphere: Lambert's cosine law.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
@@ -108,9 +109,18 @@ impl<W: Kernel> Formulas<W> for Lambert {
 impl Own for Lambert {}
 
 impl Parameterless for Lambert {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.lambert_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = Pair::ratio(2, 3);
+        let mean_theta = c.half_pi.half();
+        let mean_theta_squared = c.half_pi.mul(c.half_pi).half().add(Pair::ratio(-1, 2));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(1, 2), mean_cos),
+            mean_theta,
+            var_theta: variance(mean_theta_squared, mean_theta),
+            entropy: c.ln_pi.add(Pair::ratio(1, 2)),
+        }
     }
 }
 

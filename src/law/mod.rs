@@ -37,6 +37,10 @@ use crate::{CosSin, Moments, Tails};
 /// `f32`'s `FRAC_PI_2` lies beyond it. All functions are total: NaN gives NaN; outside the
 /// support the density is 0, its logarithm −∞ and the cdf 0 or 1; a probability outside
 /// \[0, 1\] gives NaN. No input panics. The accuracy of each is in [`accuracy`](crate::accuracy).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the number type `{T}`",
+    label = "no law of a direction in `{T}`"
+)]
 pub trait Law<T: Real> {
     /// Density of θ: per radian for planar laws; for spatial ones per dθ dφ (the paper's q),
     /// that is [`Spatial::pdf_solid_angle`] times sin θ.

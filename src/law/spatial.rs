@@ -11,6 +11,11 @@ use crate::{CosSin, Frame, Sample, Tails, uniform};
 use rand_core::Rng;
 
 /// Laws of a direction in space, uniform in azimuth.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in space, of the number type `{T}`",
+    label = "not spatial",
+    note = "the laws in space are Ball, SphereShell, Lambert and CosPower"
+)]
 pub trait Spatial<T: Real>: Law<T> {
     /// Density per steradian at polar angle θ.
     fn pdf_solid_angle(&self, theta: T) -> T;

@@ -1,9 +1,10 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
@@ -133,9 +134,18 @@ impl<W: Kernel> Formulas<W> for SphereShell {
 impl Own for SphereShell {}
 
 impl Parameterless for SphereShell {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.sphere_shell_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = Pair::ratio(3, 4);
+        let mean_theta = Pair::ratio(2, 3);
+        let mean_theta_squared = c.two_pi.mul(Pair::ratio(1, 3)).add(Pair::ratio(-14, 9));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(3, 5), mean_cos),
+            mean_theta,
+            var_theta: variance(mean_theta_squared, mean_theta),
+            entropy: Pair::ratio(2, 3).add(c.ln_three_over_two_pi.neg()),
+        }
     }
 }
 

@@ -26,8 +26,8 @@
 //! Besides, every sample must be [valid](Invalid), and no four samples in a row may come again
 //! ([`Fault::Repeats`]: any period up to half the number of samples).
 //!
-//! The law of the check itself is what [`Law::unwarp_tails`](crate::Law::unwarp_tails) computes; that a sampler
-//! agrees with its own wrong cdf is for the host's tests to see, not for this one.
+//! A sample is placed in its law by [`Law::unwarp_tails`](crate::Law::unwarp_tails). If that were wrong
+//! together with the sampler, this test would not see it; tests on a host do.
 #![doc = include_str!("../../docs/measured/self_test.md")]
 
 mod cells;

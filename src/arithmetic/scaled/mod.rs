@@ -1,4 +1,4 @@
-//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing words
+//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing parts
 //! of a plain double-double would underflow.
 
 mod kernel;
@@ -19,10 +19,10 @@ pub struct Scaled {
     pub(crate) exponent: i32,
 }
 
-/// Beyond 2^±this a number is ∞ or 0. Far beyond what any formula reaches before its result is.
+/// Beyond 2^±this a number is ∞ or 0: farther than any formula goes on its way to a finite result.
 const MOST: i32 = 1 << 26;
 
-/// Below 2 to the minus this, a summand counts for nothing beside 1.
+/// 1 + x is 1 for x below 2 to the minus this.
 const DIGITS: i32 = 120;
 
 impl Scaled {

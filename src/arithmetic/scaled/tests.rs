@@ -99,7 +99,7 @@ fn the_ends_are_total() {
     assert_eq!(one / square, zero);
 }
 
-/// Leading words that cancel leave the trailing ones.
+/// Leading parts that cancel leave the trailing ones.
 #[test]
 fn a_difference_of_trailing_words_is_not_lost() {
     let small = power_of_two(-70);

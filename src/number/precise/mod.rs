@@ -8,7 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The most accurate tier of a format: the laws' results are rounded once, from wider arithmetic.
 ///
-/// `Precise<f32>` is correctly rounded: every operation of the six fixed laws gives the `f32` nearest
+/// `Precise<f32>` is correctly rounded: every operation of the six laws without a parameter gives the `f32` nearest
 /// to the true value (of angles, the nearest in the support). It is computed in `f64` with a rounding
 /// test, and in double-double where the test cannot decide. `Precise<f64>` is computed in
 /// double-double; where `f64`'s exponents do not reach, with an exponent of its own.

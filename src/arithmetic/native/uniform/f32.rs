@@ -5,7 +5,8 @@ use super::BY_SUMS;
 const TWO_TO_MINUS_47: f32 = f32::from_bits((127 - 47) << 23);
 const TWO_TO_MINUS_65: f32 = f32::from_bits((127 - 65) << 23);
 
-/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2²³ become multiples of 2ⁿ.
+/// The bits of a float whose last place counts 2ⁿ, n = `ulp`: with an integer below 2²³ in its last
+/// places it is more by that many times 2ⁿ.
 const fn carrier(ulp: i32) -> u32 {
     ((127 + 23 + ulp) as u32) << 23
 }

@@ -3,7 +3,8 @@
 use super::BY_SUMS;
 use crate::arithmetic::native::f64::power_of_two;
 
-/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2⁵² become multiples of 2ⁿ.
+/// The bits of a float whose last place counts 2ⁿ, n = `ulp`: with an integer below 2⁵² in its last
+/// places it is more by that many times 2ⁿ.
 const fn carrier(ulp: i32) -> u64 {
     ((1023 + 52 + ulp) as u64) << 52
 }
