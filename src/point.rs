@@ -128,7 +128,8 @@ impl<T: Real, L: Point + Law<T>> Tangent<T> for L {
                 )]
             },
         );
-        on_ray::<T, L>(rho, at, r, value, T::ZERO)
+        // + 0 turns the −0 of a cosine −0 into +0.
+        on_ray::<T, L>(rho, at, r, value, T::ZERO) + T::ZERO
     }
 
     #[inline]
