@@ -16,7 +16,8 @@ pub enum Margin {
     OfOne,
 }
 
-/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of them.
+/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of
+/// them.
 pub trait Bits: Copy + Default {
     type Half: Copy + Default;
     /// The upper half, then the lower.
@@ -73,8 +74,8 @@ pub trait Tier: Scalar {
     /// How far the square of a unit vector's length may be from 1.
     const UNIT_SLACK: Self::Base;
 
-    /// The results of the accurate phase, rounded; those of the quick phase where a rounding test shows
-    /// that they round to the same numbers.
+    /// The results of the accurate phase, rounded; those of the quick phase where a rounding test
+    /// shows that they round to the same numbers.
     fn rounded<const N: usize>(
         margin: Margin,
         quick: impl FnOnce() -> [Self::Quick; N],

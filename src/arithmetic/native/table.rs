@@ -8,7 +8,8 @@ pub(crate) struct Series<T: 'static> {
     pub(crate) tail: &'static [T],
 }
 
-/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each approximates.
+/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each
+/// approximates.
 pub struct Table<T: 'static> {
     pub(crate) sin: &'static [T],
     pub(crate) cos: &'static [T],
