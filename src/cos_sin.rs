@@ -43,7 +43,7 @@ impl<T: Scalar> CosSin<T> {
     }
 
     #[inline(always)]
-    pub(crate) fn of_array([cos, sin]: [T; 2]) -> Self {
+    pub(crate) fn from_array([cos, sin]: [T; 2]) -> Self {
         CosSin { cos, sin }
     }
 

@@ -57,7 +57,7 @@ impl<T: Scalar> Tails<T> {
     }
 
     #[inline(always)]
-    pub(crate) fn of_array([lower, upper]: [T; 2]) -> Self {
+    pub(crate) fn from_array([lower, upper]: [T; 2]) -> Self {
         Tails { lower, upper }
     }
 

@@ -1,14 +1,12 @@
 //! Every operation, and the references of the sweeps, against Arb's tables of proven values.
 
-mod accuracy;
-
-use accuracy::bounds::allowed;
-use accuracy::double::Double;
-use accuracy::format::{Format, error_in_ulps};
-use accuracy::inverse::{angle, warp};
-use accuracy::reference::{self, Direction, Id};
-use accuracy::subject::{Subject, Tier};
-use accuracy::wide::Wide;
+use kit::accuracy::bounds::allowed;
+use kit::accuracy::double::Double;
+use kit::accuracy::format::{Format, error_in_ulps};
+use kit::accuracy::inverse::{angle, warp};
+use kit::accuracy::reference::{self, Direction, Id};
+use kit::accuracy::subject::{Subject, Tier};
+use kit::accuracy::wide::Wide;
 
 /// One row of the committed tables.
 struct Row {

@@ -1,11 +1,9 @@
 //! The error bounds that `Frame` and the heuristics state, on random arguments.
 
-mod accuracy;
-
-use accuracy::format::{Format, error_in_ulps};
-use accuracy::values::Tier;
-use accuracy::wide::Wide;
 use coslobe::{Fast, Frame, Precise, balance_heuristic, power_heuristic};
+use kit::accuracy::format::{Format, error_in_ulps};
+use kit::accuracy::values::Tier;
+use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 

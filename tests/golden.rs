@@ -3,12 +3,10 @@
 //! A mismatch is a value-breaking change. If it is meant, mark it "value-breaking" in the changelog
 //! and regenerate the file: `COSLOBE_BLESS=1 cargo test --test golden`.
 
-mod stats;
-
 use coslobe::rand_core::Rng;
 use coslobe::{Fast, Law, PlanarPoint, Precise, Spatial};
+use kit::stats::laws::{Claim, Float, Visitor, each};
 use rand_pcg::{Pcg32, Pcg64};
-use stats::laws::{Claim, Float, Visitor, each};
 use std::fmt::Write;
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/values.txt");

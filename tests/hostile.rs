@@ -1,13 +1,11 @@
 //! Stuck and hostile generators: every sampler ends, draws its documented words and keeps its promises.
 
-mod stats;
-
 use coslobe::{
     CosSin, Fast, Law, Measure, Planar, PlanarPoint, Precise, Radius, Spatial, SpatialPoint, Tails,
     uniform,
 };
-use stats::laws::{Claim, Drawn, Float, Visitor, each};
-use stats::words::{Source, Words, hostile};
+use kit::stats::laws::{Claim, Drawn, Float, Visitor, each};
+use kit::stats::words::{Source, Words, hostile};
 
 /// Words of one probability, of one azimuth, and of a direction with both.
 fn documented<T: Float>() -> [Drawn; 3] {

@@ -3,13 +3,11 @@
 //! The paper sets out to normalise points uniform on a surface, but its δ(r − 2ρ cos θ) measures a
 //! shell of constant radial thickness. This shows both, and that no law passes for another.
 
-mod stats;
-
 use coslobe::{Fast, Measure, PlanarPoint, Precise, Radius, Spatial, SpatialPoint};
+use kit::stats::laws::{Claim, Float, Visitor, each};
+use kit::stats::measures::{from_centre, radius, raw_point};
+use kit::stats::{chi2, ks, words};
 use rand_pcg::Pcg64;
-use stats::laws::{Claim, Float, Visitor, each};
-use stats::measures::{from_centre, radius, raw_point};
-use stats::{chi2, ks, words};
 use std::f64::consts::TAU;
 
 const N: usize = 100_000;

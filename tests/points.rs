@@ -1,14 +1,12 @@
 //! Points before normalisation: distances and densities against the formulas in wider arithmetic.
 
-mod accuracy;
-
-use accuracy::format::{Format, error_in_ulps, ulp};
-use accuracy::values::Tier;
-use accuracy::wide::Wide;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Measure, Precise, Radius,
     SphereShell, Tangent,
 };
+use kit::accuracy::format::{Format, error_in_ulps, ulp};
+use kit::accuracy::values::Tier;
+use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 

@@ -1,15 +1,13 @@
 //! A sample's cosine and density are those of the angle drawn, whatever a rotation rounds away.
 
-mod accuracy;
-
-use accuracy::format::Format;
-use accuracy::values::Tier;
-use accuracy::wide::Wide;
 use coslobe::rand_core::{Rng, SeedableRng, TryRng};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Planar, Precise, Sample, Spatial,
     SphereShell,
 };
+use kit::accuracy::format::Format;
+use kit::accuracy::values::Tier;
+use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use std::convert::Infallible;
 

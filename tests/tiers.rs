@@ -1,10 +1,8 @@
 //! The tiers beside each other: `Precise` draws what the plain type draws.
 
-mod stats;
-
 use coslobe::{PlanarPoint, Precise, Spatial};
-use stats::laws::{Claim, Float, Visitor, each};
-use stats::words;
+use kit::stats::laws::{Claim, Float, Visitor, each};
+use kit::stats::words;
 
 /// Directions of `T` and of its `Precise`, from the same words.
 struct Same<T>(Vec<(String, Vec<[T; 3]>)>);

@@ -294,8 +294,9 @@ def emit(bits, fits):
         "#![allow(clippy::approx_constant)] // the constants are the point",
         "",
         "use super::pair::Pair;",
-        "use super::table::{Constants, Series, Table};",
+        "use super::table::{Series, Table};",
         "use crate::Moments;",
+        "use crate::arithmetic::constants::Constants;",
         "",
         f"pub(crate) const CONSTANTS: Constants<Pair<{ty}>> = Constants {{",
     ]

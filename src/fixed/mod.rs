@@ -34,7 +34,7 @@
 //! | `CosPower`, k ≤ 7.25 | 2.5 | 2 | | 1.01 · 2⁻¹⁶ | 1.01 · 2⁻¹⁶ | 6 | 2 |
 //! | `CosPower`, k < 65536 | 2.5 | 2 | | 30 · 2⁻¹⁶ | 1.5 · 2⁻¹⁶ | 180 | 2 |
 //!
-//! `tests/fixed.rs` asserts these bounds. `warp` was tried on **every** word; its worst components and lengths:
+//! `tests/fixed` asserts these bounds. `warp` was tried on **every** word; its worst components and lengths:
 //!
 //! | | component | at | length | at |
 //! |---|---|---|---|---|

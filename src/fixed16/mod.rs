@@ -38,7 +38,7 @@
 //! units of the closed form of its words (10⁶ samples a law), its length within 1.5.
 //! `quantile` and `cdf` keep the order of their arguments: those of `CircleArc`, `CircleShell` and `Lambert` always, `Disk`'s and
 //! `Ball`'s cdf and `Ball`'s and `SphereShell`'s quantile but for a unit here and there.
-//! `tests/fixed16.rs` asserts all this.
+//! `tests/fixed16` asserts all this.
 //!
 //! # Words of randomness
 //!

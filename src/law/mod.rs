@@ -7,8 +7,8 @@ mod cos_power;
 mod disk;
 mod formulas;
 mod lambert;
-mod select;
 mod sphere_shell;
+mod support;
 
 pub use ball::Ball;
 pub use circle_arc::CircleArc;
@@ -18,10 +18,11 @@ pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
 pub use sphere_shell::SphereShell;
 
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
-use crate::arithmetic::tier::{Holds, Margin};
-use crate::law::select::into_support;
+use crate::law::support::into_support;
 use crate::number::Real;
+use crate::number::tier::Margin;
 use crate::{CosSin, Frame, Moments, Sample, Tails, uniform};
 use rand_core::Rng;
 
@@ -72,8 +73,8 @@ pub trait Law<T: Real> {
         let at = self.warp_tails(p);
         let [theta] = T::rounded(
             Margin::Relative,
-            || [T::Quick::angle(Holds::of_pair(at))],
-            || [T::Work::angle(Holds::of_pair(at))],
+            || [T::Quick::angle(Holds::from_components(at))],
+            || [T::Accurate::angle(Holds::from_components(at))],
         );
         into_support(theta)
     }
@@ -224,10 +225,10 @@ pub trait Spatial<T: Real>: Law<T> {
                 sin: turn,
             }
         } else {
-            CosSin::of_array(T::rounded(
+            CosSin::from_array(T::rounded(
                 Margin::Relative,
-                || T::Quick::at_turn(Holds::of(turn)).to_array(),
-                || T::Work::at_turn(Holds::of(turn)).to_array(),
+                || T::Quick::at_turn(Holds::from_number(turn)).to_array(),
+                || T::Accurate::at_turn(Holds::from_number(turn)).to_array(),
             ))
         };
         spherical(self.warp(u[0]), azimuth)
@@ -243,8 +244,13 @@ pub trait Spatial<T: Real>: Law<T> {
         };
         let [turn] = T::rounded(
             Margin::Relative,
-            || [turns(Holds::of(d[2]), Holds::of(d[0]))],
-            || [turns::<T::Work>(Holds::of(d[2]), Holds::of(d[0]))],
+            || [turns(Holds::from_number(d[2]), Holds::from_number(d[0]))],
+            || {
+                [turns::<T::Accurate>(
+                    Holds::from_number(d[2]),
+                    Holds::from_number(d[0]),
+                )]
+            },
         );
         let turn = if turn < T::ZERO { turn + T::ONE } else { turn };
         // A negative turn smaller than half an ulp of 1 rounds to 1, which is 0 again.

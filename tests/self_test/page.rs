@@ -49,7 +49,7 @@ fn page() -> String {
          A check takes {RAM} bytes of stack beside the frames of its functions, and no \
          static memory.\n\n\
          Instructions beside those of each `f32` direction of `Lambert` itself, by QEMU (`cargo run --release \
-         --example on_target -- self-test`, which compares them with these):\n\n\
+         -p on_target -- self-test`, which compares them with these):\n\n\
          | board | instructions a sample |\n|---|--:|\n\
          | M0 | 4650 |\n| M3 | 2610 |\n| M4F | 676 |\n| RV32IMC | 2592 |\n\n\
          Caught, of {SEEDS} seeds, by `Alarm::OneInBillion` after so many samples; faults of a generator in \

@@ -16,18 +16,18 @@ const HALF_PI_PAIR: Double = Pair {
 /// π/2 − a for 0 ≤ a ≤ π/2, with three words of π/2: beside it, the first two cancel.
 #[inline]
 pub(crate) fn from_end(a: f64) -> Double {
-    let d = Pair::fast_sum(HALF_PI[0], -a);
-    let s = Pair::fast_sum(d.hi, HALF_PI[1]);
-    Pair::fast_sum(s.hi, s.lo + (d.lo + HALF_PI[2]))
+    let d = Pair::fast_two_sum(HALF_PI[0], -a);
+    let s = Pair::fast_two_sum(d.hi, HALF_PI[1]);
+    Pair::fast_two_sum(s.hi, s.lo + (d.lo + HALF_PI[2]))
 }
 
 /// π/2 − a for a pair with π/2 − a > 2⁻⁶⁵: the error is below 2⁻¹⁶⁰.
 #[inline]
 pub(crate) fn pair_from_end(a: Double) -> Double {
-    let d = Pair::sum(HALF_PI[0], -a.hi);
-    let e = Pair::sum(HALF_PI[1], -a.lo);
-    let s = Pair::sum(d.hi, e.hi);
-    Pair::fast_sum(s.hi, s.lo + (d.lo + (e.lo + HALF_PI[2])))
+    let d = Pair::two_sum(HALF_PI[0], -a.hi);
+    let e = Pair::two_sum(HALF_PI[1], -a.lo);
+    let s = Pair::two_sum(d.hi, e.hi);
+    Pair::fast_two_sum(s.hi, s.lo + (d.lo + (e.lo + HALF_PI[2])))
 }
 
 /// sin x − x, not normalised.
@@ -87,7 +87,7 @@ fn atan_of_ratio(y: Double, x: Double) -> Double {
     let CosSin { cos, sin } = sin_cos(Pair::exact(start));
     let across = gap(mul_raw(y, cos), mul_raw(x, sin));
     let along = x.hi * cos.hi + y.hi * sin.hi;
-    Pair::fast_sum(start, across / along)
+    Pair::fast_two_sum(start, across / along)
 }
 
 /// The angle of (x, y), with the signs, zeros and infinities of `f64::atan2`.

@@ -6,7 +6,7 @@ use crate::arithmetic::native::pair::Pair;
 /// A factor for `mul_raw` and the like: results that are not normalised, lo a few ulps of hi.
 #[inline(always)]
 pub(crate) fn mul_raw(a: Double, b: Double) -> Double {
-    let p = Pair::product(a.hi, b.hi);
+    let p = Pair::two_prod(a.hi, b.hi);
     Pair {
         hi: p.hi,
         lo: p.lo + (a.hi * b.lo + a.lo * b.hi),
@@ -16,7 +16,7 @@ pub(crate) fn mul_raw(a: Double, b: Double) -> Double {
 /// a², not normalised.
 #[inline(always)]
 pub(crate) fn square_raw(a: Double) -> Double {
-    let p = Pair::product(a.hi, a.hi);
+    let p = Pair::two_prod(a.hi, a.hi);
     Pair {
         hi: p.hi,
         lo: p.lo + 2.0 * a.hi * a.lo,
@@ -26,7 +26,7 @@ pub(crate) fn square_raw(a: Double) -> Double {
 /// a + b, not normalised, for |a| ≥ |b|.
 #[inline(always)]
 pub(crate) fn add_raw(a: Double, b: Double) -> Double {
-    let s = Pair::fast_sum(a.hi, b.hi);
+    let s = Pair::fast_two_sum(a.hi, b.hi);
     Pair {
         hi: s.hi,
         lo: s.lo + (a.lo + b.lo),
@@ -41,7 +41,7 @@ pub(crate) fn add_smaller(a: Double, b: Double) -> Double {
 
 #[inline(always)]
 pub(crate) fn normalise(a: Double) -> Double {
-    Pair::fast_sum(a.hi, a.lo)
+    Pair::fast_two_sum(a.hi, a.lo)
 }
 
 /// a − b as one f64, for a and b that agree to many digits.

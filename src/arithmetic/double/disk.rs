@@ -64,8 +64,8 @@ impl Arc {
     fn turned(&self, d: f64) -> CosSin<Double> {
         let CosSin { cos, sin } = self.at;
         CosSin {
-            cos: Pair::fast_sum(cos.hi, cos.lo - sin.hi * d),
-            sin: Pair::fast_sum(sin.hi, sin.lo + cos.hi * d),
+            cos: Pair::fast_two_sum(cos.hi, cos.lo - sin.hi * d),
+            sin: Pair::fast_two_sum(sin.hi, sin.lo + cos.hi * d),
         }
     }
 }
@@ -92,7 +92,7 @@ pub(crate) fn tail_at_angle(a: f64) -> Double {
 
 /// Nearer tail at a direction, from the smaller of cos θ and |sin θ|.
 #[inline]
-pub(crate) fn tail_at_pair(cos: Double, sin: Double) -> Double {
+pub(crate) fn tail_at_direction(cos: Double, sin: Double) -> Double {
     let at_end = cos.hi <= sin.hi;
     let small = if at_end { cos } else { sin };
     let start = Pair::exact(libm::asin(small.hi));
@@ -134,12 +134,12 @@ fn corrected(p: Double) -> (f64, Arc, f64, bool) {
 #[inline]
 pub(crate) fn angle_at_tail(p: Double) -> (Double, bool) {
     let (start, _, step, at_end) = corrected(p);
-    (Pair::fast_sum(start, step), at_end)
+    (Pair::fast_two_sum(start, step), at_end)
 }
 
 /// (cos θ, |sin θ|) at the nearer tail p.
 #[inline]
-pub(crate) fn pair_at_tail(p: Double) -> CosSin<Double> {
+pub(crate) fn direction_at_tail(p: Double) -> CosSin<Double> {
     let (_, arc, step, at_end) = corrected(p);
     let at = arc.turned(step);
     if at_end { swapped(at) } else { at }

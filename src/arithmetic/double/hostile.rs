@@ -39,7 +39,7 @@ fn no_argument_panics_and_nan_stays() {
             let CosSin { cos, sin } = angle::sin_cos(x);
             let turned = angle::at_eighth(x);
             let folded = angle::at_angle(a);
-            let pair = disk::pair_at_tail(x);
+            let pair = disk::direction_at_tail(x);
             let (exp, _) = log_exp::exp(x);
             let (angle, _) = disk::angle_at_tail(x);
             let of_one = [
@@ -65,7 +65,7 @@ fn no_argument_panics_and_nan_stays() {
             for (i, value) in of_one.iter().enumerate() {
                 assert!(!a.is_nan() || value.hi.is_nan(), "{i} at NaN: {value:?}");
             }
-            let of_two = [angle::atan2(x, y), disk::tail_at_pair(x, y)];
+            let of_two = [angle::atan2(x, y), disk::tail_at_direction(x, y)];
             for value in of_two {
                 assert!(
                     !(a.is_nan() && b.is_nan()) || value.hi.is_nan(),

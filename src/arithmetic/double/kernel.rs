@@ -1,15 +1,16 @@
 //! The formulas' kernels in double-double.
 
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::f64::power_of_two;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::Holds;
-use crate::number::f64::power_of_two;
 use crate::{CosSin, Tails};
 
 /// A power that comes this near to an `f64` is one: c³ of a short c must be met exactly, since it can
@@ -121,7 +122,7 @@ impl Kernel for Double {
     #[inline]
     fn at_turn(u: Self) -> CosSin<Self> {
         let quadrant = (u.hi * 4.0 + 0.5) as u32;
-        Self::at_quadrant(quadrant, u - Self::of(0.25 * f64::from(quadrant)))
+        Self::at_quadrant(quadrant, u - Self::from_number(0.25 * f64::from(quadrant)))
     }
     #[inline]
     fn half_turn(p: Self) -> CosSin<Self> {
@@ -136,12 +137,12 @@ impl Kernel for Double {
         disk::tail_at_angle(a.hi)
     }
     #[inline]
-    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self {
-        disk::tail_at_pair(cos, sin)
+    fn disk_tail_at_direction(cos: Self, sin: Self) -> Self {
+        disk::tail_at_direction(cos, sin)
     }
     #[inline]
-    fn disk_pair_at_tail(p: Self) -> CosSin<Self> {
-        disk::pair_at_tail(p)
+    fn disk_direction_at_tail(p: Self) -> CosSin<Self> {
+        disk::direction_at_tail(p)
     }
     #[inline]
     fn disk_angle_at_tail(p: Self) -> Self {

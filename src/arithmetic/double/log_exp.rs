@@ -3,7 +3,7 @@
 use super::Double;
 use super::arith::{add_raw, add_smaller, mul_raw, normalise, scaled, square_raw};
 use super::coefficients::{ATANH, COTH, LN_2, LN_2_SHORT};
-use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::pair::Pair;
 
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as 2 atanh(f/(2 + f)).
@@ -22,7 +22,7 @@ pub(crate) fn ln(x: Double) -> Double {
         return Pair::exact(libm::log(x.hi));
     }
     let (m, e) = x.hi.split();
-    let part = ln_near_one(Pair::sum(m - 1.0, x.lo.scale(-e)));
+    let part = ln_near_one(Pair::two_sum(m - 1.0, x.lo.scale(-e)));
     if e == 0 {
         part
     } else {
@@ -64,9 +64,9 @@ pub(crate) fn exp(x: Double) -> (Double, i32) {
     let n = (turns + 0.5_f64.copysign(turns)) as i32;
     let k = -f64::from(n);
     // n < 2²⁰, so the products with the two short words are exact.
-    let first = Pair::sum(x.hi, k * LN_2_SHORT[0]);
-    let second = Pair::sum(first.hi, k * LN_2_SHORT[1]);
-    let r = Pair::fast_sum(
+    let first = Pair::two_sum(x.hi, k * LN_2_SHORT[0]);
+    let second = Pair::two_sum(first.hi, k * LN_2_SHORT[1]);
+    let r = Pair::fast_two_sum(
         second.hi,
         second.lo + (first.lo + (x.lo + k * LN_2_SHORT[2])),
     );

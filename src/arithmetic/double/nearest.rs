@@ -1,7 +1,7 @@
 //! One rounding, from double-double to a format with an end to its exponents.
 
 use crate::arithmetic::double::Double;
-use crate::number::f64::power_of_two;
+use crate::arithmetic::native::f64::power_of_two;
 
 /// A binary format by what rounding to it needs.
 pub(crate) struct Grid {

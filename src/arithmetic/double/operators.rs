@@ -1,11 +1,10 @@
 //! Double-double as a working arithmetic: what the `Precise` tiers compute in.
 
 use crate::arithmetic::double::{Double, root};
-use crate::arithmetic::kernel::Wide;
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::Holds;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `result`, or its leading word alone where a zero or an overflow has left NaN in the trailing one.
@@ -130,53 +129,9 @@ impl Scalar for Double {
     }
 }
 
-/// A double-double carries its own trailing digits, so that it is its own wide type.
-impl Wide<Double> for Double {
-    #[inline(always)]
-    fn exact(x: Self) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn value(self) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn leading(self) -> Self {
-        self
-    }
-    #[inline]
-    fn sum(a: Self, b: Self) -> Self {
-        a + b
-    }
-    #[inline(always)]
-    fn neg(self) -> Self {
-        -self
-    }
-    #[inline]
-    fn times(self, b: Self) -> Self {
-        self * b
-    }
-    #[inline]
-    fn mul(self, b: Self) -> Self {
-        self * b
-    }
-    #[inline]
-    fn add(self, b: Self) -> Self {
-        self + b
-    }
-    #[inline]
-    fn div(self, b: Self) -> Self {
-        self / b
-    }
-    #[inline]
-    fn sqrt(self) -> Self {
-        root::sqrt(self)
-    }
-}
-
 impl Holds<f64> for Double {
     #[inline(always)]
-    fn of(x: f64) -> Self {
+    fn from_number(x: f64) -> Self {
         Pair::exact(x)
     }
 }

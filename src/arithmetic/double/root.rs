@@ -10,8 +10,8 @@ use crate::arithmetic::native::pair::Pair;
 #[inline]
 pub(crate) fn sqrt_of_positive(x: Double) -> Double {
     let root = libm::sqrt(x.hi);
-    let rest = gap(x, Pair::product(root, root));
-    Pair::fast_sum(root, rest / (root + root))
+    let rest = gap(x, Pair::two_prod(root, root));
+    Pair::fast_two_sum(root, rest / (root + root))
 }
 
 /// √x; NaN for x < 0.
@@ -33,5 +33,5 @@ pub(crate) fn cbrt(x: Double) -> Double {
     let root = cbrt::cbrt(x.hi);
     let square = square_raw(Pair::exact(root));
     let rest = gap(x, square.mul(Pair::exact(root)));
-    Pair::fast_sum(root, rest / (3.0 * square.hi))
+    Pair::fast_two_sum(root, rest / (3.0 * square.hi))
 }

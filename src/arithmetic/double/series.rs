@@ -2,7 +2,7 @@
 
 use super::Double;
 use super::arith::{add_raw, mul_raw, normalise};
-use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::poly::horner;
 

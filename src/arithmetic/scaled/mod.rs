@@ -7,13 +7,10 @@ mod tests;
 
 use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, root};
-use crate::arithmetic::kernel::Wide;
+use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::Holds;
-use crate::number::Precise;
-use crate::number::f64::power_of_two;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -73,7 +70,7 @@ impl Scaled {
         }
     }
 
-    pub(crate) fn of_double(x: Double) -> Self {
+    pub(crate) fn from_double(x: Double) -> Self {
         Self::new(x, 0)
     }
 
@@ -194,7 +191,7 @@ impl Scalar for Scaled {
     const HALF_PI_DOWN: Self = Self::new(<f64 as Native>::CONSTANTS.half_pi, 0);
 
     fn int(n: i16) -> Self {
-        Self::of_double(Double::int(n))
+        Self::from_double(Double::int(n))
     }
     fn is_nan(self) -> bool {
         self.part.is_nan()
@@ -229,45 +226,5 @@ impl Scalar for Scaled {
     fn sqrt(self) -> Self {
         let (part, e) = self.split_by(2);
         Self::new(root::sqrt(part), e)
-    }
-}
-
-/// It carries its own trailing digits, so that it is its own wide type.
-impl Wide<Scaled> for Scaled {
-    fn exact(x: Self) -> Self {
-        x
-    }
-    fn value(self) -> Self {
-        self
-    }
-    fn leading(self) -> Self {
-        self
-    }
-    fn sum(a: Self, b: Self) -> Self {
-        a + b
-    }
-    fn neg(self) -> Self {
-        -self
-    }
-    fn times(self, b: Self) -> Self {
-        self * b
-    }
-    fn mul(self, b: Self) -> Self {
-        self * b
-    }
-    fn add(self, b: Self) -> Self {
-        self + b
-    }
-    fn div(self, b: Self) -> Self {
-        self / b
-    }
-    fn sqrt(self) -> Self {
-        Scalar::sqrt(self)
-    }
-}
-
-impl Holds<Precise<f64>> for Scaled {
-    fn of(x: Precise<f64>) -> Self {
-        Self::new(Pair::exact(x.0), 0)
     }
 }
