@@ -1,6 +1,6 @@
 //! A direction as its cosine and sine.
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 /// A direction by the cosine and sine of its angle θ from the axis.
 ///

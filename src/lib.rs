@@ -72,8 +72,6 @@ mod arithmetic;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
-#[cfg(feature = "fixed")]
-pub mod fixed16;
 mod frame;
 pub mod integration;
 mod law;
@@ -81,6 +79,7 @@ mod moments;
 mod number;
 mod point;
 mod sample;
+mod scalar;
 pub mod self_test;
 mod tails;
 pub mod uniform;
@@ -88,9 +87,7 @@ mod weight;
 
 pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
-pub use fixed::Fixed;
-#[cfg(feature = "fixed")]
-pub use fixed16::Fixed16;
+pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
 pub use law::{
     Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Planar, Spatial,

@@ -1,7 +1,7 @@
 //! A direction with what an integrator needs of it.
 
 use crate::CosSin;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 /// A drawn direction with its cosine, sine and density.
 ///

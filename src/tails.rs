@@ -1,6 +1,6 @@
 //! A probability held as both its tails.
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 /// A probability as the pair (cdf, sf), each to full relative accuracy.
 ///

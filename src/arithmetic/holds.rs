@@ -1,7 +1,7 @@
 //! How the numbers of a type enter the arithmetic that its formulas run in.
 
 use super::kernel::Kernel;
-use super::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// A working arithmetic that holds every number of the type `T`.

@@ -1,7 +1,7 @@
 //! The working arithmetic of the laws' formulas.
 
 use super::constants::Constants;
-use super::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// An intermediate result; where the arithmetic keeps it, with what rounding took from it.

@@ -7,5 +7,4 @@ pub(crate) mod fast;
 pub(crate) mod holds;
 pub(crate) mod kernel;
 pub(crate) mod native;
-pub(crate) mod scalar;
 pub(crate) mod scaled;

@@ -1,6 +1,6 @@
 //! Total functions: what a value is outside its domain.
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// `value` where `inside`, `outside` elsewhere, and NaN where `x` is NaN.

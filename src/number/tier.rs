@@ -3,7 +3,7 @@
 
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 

@@ -1,7 +1,7 @@
 //! Each sample against the closed form of the words that it took, which pins what is documented of them.
 
 use crate::Q15;
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::I1F15;

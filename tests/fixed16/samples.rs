@@ -2,7 +2,7 @@
 //! that are stuck.
 
 use crate::Q15;
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, Law, Moments, SphereShell};
 use fixed::types::I1F15;

@@ -20,7 +20,4 @@ mod series;
 #[cfg(test)]
 mod tests;
 
-use crate::arithmetic::native::pair::Pair;
-
-/// A number of about 104 bits.
-pub(crate) type Double = Pair<f64>;
+pub(crate) use arith::Double;

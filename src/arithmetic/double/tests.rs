@@ -5,7 +5,6 @@ extern crate std;
 use super::series::Series;
 use super::{Double, angle, arith, coefficients, disk, log_exp, root};
 use crate::arithmetic::native::float::Float;
-use crate::arithmetic::native::pair::Pair;
 use std::string::String;
 use std::vec::Vec;
 use std::{format, println};
@@ -51,7 +50,7 @@ fn rows() -> impl Iterator<Item = Row<'static>> {
             None | Some("") => 0.0,
             Some(hex) => f64::from_bits(u64::from_str_radix(hex, 16).unwrap()),
         };
-        let mut pair = || Pair {
+        let mut pair = || Double {
             hi: word(),
             lo: word(),
         };
@@ -149,7 +148,7 @@ fn every_kernel_is_within_its_bound() {
 fn a_dropped_low_word_is_caught() {
     const PLANTED: Series = Series {
         full: &[
-            Pair {
+            Double {
                 hi: coefficients::SIN.full[0].hi,
                 lo: 0.0,
             },

@@ -9,7 +9,7 @@ use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::trig;
 use crate::arithmetic::native::turn::into_quadrant;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 #[inline(always)]

@@ -16,7 +16,7 @@ pub(crate) mod uniform;
 #[cfg(test)]
 mod tests;
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The cheapest tier: relative errors of about 2⁻¹² in densities and directions.

@@ -7,7 +7,7 @@ use super::pair::Pair;
 use super::table::Table;
 use super::turn::merge_if_odd;
 use crate::arithmetic::constants::Constants;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 pub(crate) const fn power_of_two(n: i32) -> f32 {
     f32::from_bits(((127 + n) as u32) << 23)

@@ -6,7 +6,7 @@ use super::format::Native;
 use super::pair::Pair;
 use super::table::Table;
 use crate::arithmetic::constants::Constants;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 pub(crate) const fn power_of_two(n: i32) -> f64 {
     f64::from_bits(((1023 + n) as u64) << 52)

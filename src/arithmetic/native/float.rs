@@ -1,6 +1,6 @@
 //! A hardware format by its operations.
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 /// `f32` or `f64`: a format whose operations round to nearest.
 pub trait Float: Scalar {

@@ -5,10 +5,8 @@ use super::{DIGITS, Scaled};
 use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::kernel::Kernel;
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::turn::into_quadrant;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// Angles below 2 to the minus this have the cosine 1, and themselves as sine, to all digits.
@@ -59,7 +57,7 @@ fn disk_end(p: Scaled) -> Scaled {
 impl Kernel for Scaled {
     type Wide = Scaled;
 
-    const CONSTANTS: Constants<Scaled> = constants(&<f64 as Native>::CONSTANTS);
+    const CONSTANTS: Constants<Scaled> = constants(&Double::CONSTANTS);
 
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
         f(a).sqrt()
@@ -78,7 +76,7 @@ impl Kernel for Scaled {
         if self.exponent.abs() <= DIGITS {
             return Self::from_double(log_exp::ln(self.double()));
         }
-        let e = Pair::exact(f64::from(self.exponent));
+        let e = Double::exact(f64::from(self.exponent));
         Self::from_double(Double::CONSTANTS.ln_2 * e + log_exp::ln(self.part))
     }
     fn ln_cos(at: CosSin<Self>) -> Self {

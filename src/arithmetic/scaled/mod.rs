@@ -8,9 +8,7 @@ mod tests;
 use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, root};
 use crate::arithmetic::native::f64::power_of_two;
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -33,7 +31,7 @@ impl Scaled {
         let e = ((part.hi.to_bits() >> 52) & 0x7FF) as i32 - 1023;
         if part.hi == 0.0 || e == 1024 {
             return Scaled {
-                part: Pair {
+                part: Double {
                     hi: part.hi,
                     lo: 0.0,
                 },
@@ -44,7 +42,7 @@ impl Scaled {
         if e > 900 || e < -900 {
             let step = if e > 0 { -200 } else { 200 };
             let power = power_of_two(step);
-            let part = Pair {
+            let part = Double {
                 hi: part.hi * power,
                 lo: part.lo * power,
             };
@@ -53,7 +51,7 @@ impl Scaled {
         if exponent + e > MOST || exponent + e < -MOST {
             let beyond = if exponent + e > 0 { f64::INFINITY } else { 0.0 };
             return Scaled {
-                part: Pair {
+                part: Double {
                     hi: if part.hi < 0.0 { -beyond } else { beyond },
                     lo: 0.0,
                 },
@@ -62,7 +60,7 @@ impl Scaled {
         }
         let power = power_of_two(-e);
         Scaled {
-            part: Pair {
+            part: Double {
                 hi: part.hi * power,
                 lo: part.lo * power,
             },
@@ -114,7 +112,7 @@ impl Add for Scaled {
             } else if b.part.hi == 0.0 && self.is_ordinary() {
                 self
             } else {
-                Self::new(Pair::exact(self.part.hi + b.part.hi), 0)
+                Self::new(Double::exact(self.part.hi + b.part.hi), 0)
             };
         }
         let (large, small) = if self.exponent < b.exponent {
@@ -188,7 +186,7 @@ impl Scalar for Scaled {
     const NAN: Self = Self::new(Double::NAN, 0);
     const MIN_NORMAL: Self = Self::new(Double::MIN_NORMAL, 0);
     const MAX: Self = Self::new(Double::MAX, 0);
-    const HALF_PI_DOWN: Self = Self::new(<f64 as Native>::CONSTANTS.half_pi, 0);
+    const HALF_PI_DOWN: Self = Self::new(Double::HALF_PI_DOWN, 0);
 
     fn int(n: i16) -> Self {
         Self::from_double(Double::int(n))

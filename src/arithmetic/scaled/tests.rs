@@ -66,11 +66,15 @@ fn agrees_with_double_double() {
     for e in 1..=200 {
         for part in [1.0, 1.37, 1.999] {
             let x = part * power_of_two(-1 - e);
-            let scaled = kernels(Scaled::new(Pair::exact(x), 0));
-            for (i, (s, d)) in scaled.into_iter().zip(kernels(Pair::exact(x))).enumerate() {
+            let scaled = kernels(Scaled::new(Double::exact(x), 0));
+            for (i, (s, d)) in scaled
+                .into_iter()
+                .zip(kernels(Double::exact(x)))
+                .enumerate()
+            {
                 let d = Scaled::from_double(d);
                 let rest = (s - d) / d;
-                let near = s == d || rest.abs() < Scaled::new(Pair::exact(1.0), -90);
+                let near = s == d || rest.abs() < Scaled::new(Double::exact(1.0), -90);
                 assert!(near, "kernel {i} at {x:e}: {s:?} and {d:?}");
             }
         }
@@ -99,9 +103,9 @@ fn the_ends_are_total() {
 #[test]
 fn a_difference_of_trailing_words_is_not_lost() {
     let small = power_of_two(-70);
-    let x = Pair { hi: 1.0, lo: small };
-    assert_eq!(x - Double::ONE, Pair::exact(small));
+    let x = Double { hi: 1.0, lo: small };
+    assert_eq!(x - Double::ONE, Double::exact(small));
     let rest = Scaled::from_double(x) - Scaled::ONE;
-    assert_eq!(rest, Scaled::from_double(Pair::exact(small)));
+    assert_eq!(rest, Scaled::from_double(Double::exact(small)));
     assert!(Scaled::ONE < Scaled::from_double(x));
 }

@@ -6,11 +6,10 @@ use crate::arithmetic::double::nearest::Grid;
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::f64::power_of_two;
-use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::uniform::f32::parts_of_turn;
-use crate::arithmetic::scalar::Scalar;
 use crate::number::Real;
 use crate::number::tier::{Margin, Tier};
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -24,7 +23,7 @@ impl Holds<Precise<f32>> for f64 {
 impl Holds<Precise<f32>> for Double {
     #[inline(always)]
     fn from_number(x: Precise<f32>) -> Double {
-        Pair::exact(f64::from(x.0))
+        Double::exact(f64::from(x.0))
     }
 }
 
@@ -122,7 +121,7 @@ impl Tier for Precise<f32> {
         CosSin::from_array(Self::rounded(
             Margin::Relative,
             || f64::at_quadrant(quadrant, x).to_array(),
-            || Double::at_quadrant(quadrant, Pair::exact(x)).to_array(),
+            || Double::at_quadrant(quadrant, Double::exact(x)).to_array(),
         ))
     }
 }

@@ -6,12 +6,11 @@ use crate::arithmetic::double::nearest::{Grid, is_moderate};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::f64::power_of_two;
-use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::uniform::f64::parts_of_turn;
-use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::scaled::Scaled;
 use crate::number::Real;
 use crate::number::tier::{Margin, Tier};
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -20,7 +19,7 @@ impl Holds<Precise<f64>> for Double {
     /// for NaN, the quick result is then not taken.
     #[inline(always)]
     fn from_number(x: Precise<f64>) -> Double {
-        Pair::exact(if x.0 == 0.0 || is_moderate(x.0) {
+        Double::exact(if x.0 == 0.0 || is_moderate(x.0) {
             x.0
         } else {
             f64::NAN
@@ -30,7 +29,7 @@ impl Holds<Precise<f64>> for Double {
 
 impl Holds<Precise<f64>> for Scaled {
     fn from_number(x: Precise<f64>) -> Self {
-        Self::new(Pair::exact(x.0), 0)
+        Self::new(Double::exact(x.0), 0)
     }
 }
 
@@ -112,7 +111,7 @@ impl Tier for Precise<f64> {
         let (quadrant, part) = parts_of_turn(bits);
         let hi = part as f64;
         let lo = (part - hi as i64) as f64;
-        let x = Pair { hi, lo } * Pair::exact(power_of_two(-65));
+        let x = Double { hi, lo } * Double::exact(power_of_two(-65));
         CosSin::from_array(Self::rounded(
             Margin::Relative,
             || Double::at_quadrant(quadrant, x).to_array(),

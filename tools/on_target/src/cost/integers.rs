@@ -1,7 +1,7 @@
 //! Absolute errors of directions in integers: their unit does not shrink with the component.
 
 use coslobe::fixed::CosPower;
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
 use fixed::types::{I1F31, U0F16, U0F32, U16F16};
 use kit::formulas::{EXPONENT, lambert_by_idsp};

@@ -1,8 +1,9 @@
-//! Every kernel against `f64`, whose error of 10⁻⁶ units is none here: in strides always, and on every input by
-//! `cargo test --release --features fixed --lib fixed::kernel -- --ignored --nocapture --test-threads 1`.
+//! Every kernel against `f64`, whose error of 10⁻⁶ units is none here: in strides always, and on
+//! every input by `cargo test --release --features fixed --lib fixed::q31 -- --ignored --nocapture
+//! --test-threads 1`.
 extern crate std;
 
-use super::table::{TURN_COS, TURN_SIN};
+use super::coefficients::{TURN_COS, TURN_SIN};
 use super::{angle, cbrt, kepler, recip, sqrt, turn};
 use core::f64::consts::{FRAC_PI_2, TAU};
 use rayon::prelude::*;
@@ -155,13 +156,13 @@ fn kernels_in_strides() {
 }
 
 #[test]
-#[ignore = "2³² inputs each: cargo test --release --features fixed --lib fixed::kernel -- --ignored --nocapture --test-threads 1"]
+#[ignore = "2³² inputs each: cargo test --release --features fixed --lib fixed::q31 -- --ignored --nocapture --test-threads 1"]
 fn angles_exhaustively() {
     hold(&ANGLES, 1);
 }
 
 #[test]
-#[ignore = "2³² inputs each: cargo test --release --features fixed --lib fixed::kernel -- --ignored --nocapture --test-threads 1"]
+#[ignore = "2³² inputs each: cargo test --release --features fixed --lib fixed::q31 -- --ignored --nocapture --test-threads 1"]
 fn roots_exhaustively() {
     hold(&ROOTS, 1);
 }

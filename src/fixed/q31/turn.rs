@@ -1,9 +1,9 @@
 //! Angles in turns to (cos, sin).
 
-use super::mul::mul_high;
-use super::poly::Polynomial;
-use super::sqrt::halve;
-use super::table::{TURN_COS, TURN_SIN};
+use super::coefficients::{TURN_COS, TURN_SIN};
+use crate::fixed::kernel::mul::mul_high;
+use crate::fixed::kernel::poly::Polynomial;
+use crate::fixed::kernel::{halve, signed};
 
 /// Largest magnitude of a component: 1 less one unit of Q31.
 pub(crate) const ONE: u32 = i32::MAX as u32;
@@ -32,13 +32,6 @@ pub(crate) fn quarter_by<const A: usize, const B: usize, const C: usize, const D
     let sin = halve(mul_high(y, sin.at(square)));
     let swap = (cos ^ sin) & past;
     (cos ^ swap, sin ^ swap)
-}
-
-/// `magnitude` with the sign of `sign`'s top bit, 1 saturated.
-#[inline(always)]
-pub(crate) fn signed(magnitude: u32, sign: u32) -> i32 {
-    let mask = (sign as i32) >> 31;
-    ((magnitude - (magnitude >> 31)) as i32 ^ mask) - mask
 }
 
 /// (cos, sin) in Q31 of `phase`·2⁻³² turns; ±1 saturate to ±(1 − 2⁻³¹).

@@ -1,17 +1,35 @@
-//! The format of [`Fixed`](super::Fixed): 32 bits.
+//! The format of [`Fixed`](type@super::Fixed): 32 bits, by long products.
 
-use super::format::Format;
-use super::kernel::turn::ONE;
-use super::kernel::{angle, cbrt, kepler, mul, recip, sqrt, turn};
-use super::words;
+pub(crate) mod angle;
+pub(crate) mod cbrt;
+pub(crate) mod coefficients;
+pub(crate) mod draw;
+pub(crate) mod kepler;
+pub(crate) mod log;
+pub(crate) mod recip;
+pub(crate) mod sqrt;
+#[cfg(test)]
+mod tests;
+pub(crate) mod turn;
+
+use super::format::{Format, Turn};
+use super::kernel::{mul, signed};
+use super::planar;
 use ::fixed::types::{I0F32, I1F31, U0F32};
 use rand_core::Rng;
+use turn::ONE;
 
 /// Components in Q31, all else in Q32.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Q31;
 
+impl Turn for I0F32 {
+    type Format = Q31;
+}
+
 impl Format for Q31 {
+    const NAME: &str = "Fixed";
+
     type Component = I1F31;
     type Probability = U0F32;
     type Turn = I0F32;
@@ -54,8 +72,13 @@ impl Format for Q31 {
     }
 
     #[inline(always)]
+    fn clamped(q31: i32) -> i32 {
+        q31
+    }
+
+    #[inline(always)]
     fn signed(magnitude: u32, sign: u32) -> i32 {
-        turn::signed(magnitude, sign)
+        signed(magnitude, sign)
     }
 
     #[inline(always)]
@@ -120,22 +143,22 @@ impl Format for Q31 {
 
     #[inline(always)]
     fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [I1F31; 3] {
-        let x = words::largest::<N, R>(rng);
-        words::spatial(x.0 >> 1, sqrt::complement(words::less(x)), rng)
+        let x = draw::largest::<N, R>(rng);
+        draw::spatial(x.0 >> 1, sqrt::complement(draw::less(x)), rng)
     }
 
     /// The sign is the lowest bit of the two that lost.
     #[inline(always)]
     fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
-        let (largest, low) = words::largest::<3, R>(rng);
+        let (largest, low) = draw::largest::<3, R>(rng);
         (largest, low << 31)
     }
 
     /// v = 1 − |sin θ| from two words, and its lowest bit the sign.
     #[inline(always)]
     fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F31; 2] {
-        let v = words::long(rng);
+        let v = draw::long(rng);
         let (sin, sign) = (!((v >> 32) as u32) >> 1, (v as u32) << 31);
-        words::planar::<Q31>(sqrt::complement(v | 1), sin, sign)
+        planar::direction::<Q31>(sqrt::complement(v | 1), sin, sign)
     }
 }

@@ -1,15 +1,4 @@
-//! Kernels accurate to 16 bits, by products of 16 by 16 bits alone: one instruction each on a Cortex-M0.
-//!
-//! Arguments and results are the words of 32 bits that the laws work in.
-
-pub(crate) mod angle;
-pub(crate) mod kepler;
-pub(crate) mod root;
-pub(crate) mod table;
-pub(crate) mod turn;
-
-#[cfg(test)]
-mod tests;
+//! Words of 32 bits by their upper halves.
 
 /// Largest magnitude in Q31 that rounds to less than 1 in Q15.
 pub(crate) const ONE: u32 = 0x7FFF_7FFF;

@@ -1,11 +1,12 @@
 //! Reciprocals.
 
-use super::mul::{mul_high, mul_high_signed};
-use super::table::RECIP;
+use super::coefficients::RECIP;
+use crate::fixed::kernel::mul::{mul_high, mul_high_signed};
 
 /// 1/(2d) in Q32, of d ≥ ½ in Q32; never above the true value's 1.
 ///
-/// With e = 1 − d r, 1/d = r (1 + e + e² + …); the polynomial leaves e at 2⁻¹⁰, so two terms suffice.
+/// With e = 1 − d r, 1/d = r (1 + e + e² + …); the polynomial leaves e at 2⁻¹⁰, so two terms
+/// suffice.
 #[inline(always)]
 pub(crate) fn half_recip(d: u32) -> u32 {
     let r = RECIP.at(((!d << 1) ^ (1 << 31)) as i32) as u32; // Q14

@@ -1,8 +1,8 @@
 //! Angles in turns to (cos, sin).
 
-use super::table::{TURN_COS, TURN_SIN};
+use super::coefficients::{TURN_COS, TURN_SIN};
 use crate::fixed::kernel::poly::Polynomial;
-use crate::fixed::kernel::turn::signed;
+use crate::fixed::kernel::signed;
 
 /// (cos, sin) in Q31 of y eighths of a turn, y in Q16 below 1; both are below 1.
 #[inline(always)]

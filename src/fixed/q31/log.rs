@@ -1,11 +1,11 @@
 //! Logarithms and exponentials to base 2, of numbers held as a mantissa and an exponent.
 //!
-//! cosᵏθ = 2^(k log₂ cos θ) multiplies a logarithm's relative error by itself, so that logarithms keep all their
-//! digits beside 1 too: there they come from the distance to it.
+//! cosᵏθ = 2^(k log₂ cos θ) multiplies a logarithm's relative error by itself, so that logarithms
+//! keep all their digits beside 1 too: there they come from the distance to it.
 
-use super::mul::mul_high;
-use super::normal::normal;
-use super::table::{EXP2, EXP2_M1, LOG2};
+use super::coefficients::{EXP2, EXP2_M1, LOG2};
+use crate::fixed::kernel::mul::mul_high;
+use crate::fixed::kernel::normal::normal;
 
 /// m·2ᵉ⁻³². Every product keeps the top bit or the one below it.
 #[derive(Clone, Copy)]

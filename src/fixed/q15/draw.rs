@@ -1,7 +1,7 @@
 //! From a generator's words to the numbers that samplers start from.
 
-use super::kernel::root::{less_square, scaled};
-use super::kernel::turn::eighth;
+use super::root::{less_square, scaled};
+use super::turn::eighth;
 use ::fixed::types::I1F15;
 use rand_core::Rng;
 
@@ -13,8 +13,8 @@ fn ordered(word: u32) -> u32 {
 
 /// The largest of N = 2, 3 or 4 uniform half-words, in Q32, and the half that N = 3 leaves.
 ///
-/// X has the law of U^(1/N). Near 1 it continues with the bits of the halves that lost: given the maximum they are
-/// uniform below it, so their exclusive or is uniform (to 1 − X, relatively).
+/// X has the law of U^(1/N). Near 1 it continues with the bits of the halves that lost: given the
+/// maximum they are uniform below it, so their exclusive or is uniform (to 1 − X, relatively).
 #[inline(always)]
 pub(crate) fn largest<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
     let first = rng.next_u32();
@@ -47,7 +47,8 @@ pub(crate) fn spatial(cos: u32, phase: u32) -> [I1F15; 3] {
     let sin = scaled::<32>(less_square(cos), 0) >> 16;
     let (x, z) = eighth((phase << 3) >> 16);
     let swap = (x ^ z) & (((phase << 2) as i32) >> 31) as u32;
-    // Both factors are rounded down, by half a unit in the middle; below 1, so that neither sum overflows.
+    // Both factors are rounded down, by half a unit in the middle; below 1, so that neither sum
+    // overflows.
     let part = |q31: u32| {
         let part = q31 >> 15;
         (sin * part + ((sin + part) >> 1) + 0xFFFF) >> 17

@@ -1,12 +1,13 @@
 //! Roots and reciprocals.
 //!
-//! A root of a mantissa m ≥ ½ is 1 − (1 − m) q, where the polynomial q has errors that 1 − m ≤ ½ halves.
+//! A root of a mantissa m ≥ ½ is 1 − (1 − m) q, where the polynomial q has errors that 1 − m ≤ ½
+//! halves.
 
-use super::mul;
-use super::table::{CBRT, RECIP, SQRT};
+use super::coefficients::{CBRT, RECIP, SQRT};
+use super::word::mul;
+use crate::fixed::kernel::halve;
 use crate::fixed::kernel::normal::normal_below;
 use crate::fixed::kernel::poly::Polynomial;
-use crate::fixed::kernel::sqrt::halve;
 
 /// √½ in Q16.
 const HALF_ROOT: u32 = 46341;

@@ -1,8 +1,12 @@
 //! Coefficients, written by `python3 tools/fixed_coefficients.py`: do not edit.
 //!
-//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.
+//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding
+//! comes on top.
 
 use crate::fixed::kernel::poly::Polynomial;
+
+/// 3/4 of (1/2)^(2/3), in Q32.
+pub(crate) const KEPLER_MIDDLE: u32 = 2029244888;
 
 /// (1 - cos(pi y / 4)) / y^2 in y^2; x from 0.0 to 1.0; Q17; error 2^-20.3
 pub(crate) const TURN_COS: Polynomial<u32, 3, 0> = Polynomial {
@@ -40,7 +44,8 @@ pub(crate) const ASIN: Polynomial<i32, 3, 0> = Polynomial {
     large: [],
 };
 
-/// eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p; x from -0.47247 to 0.472715; Q17; error 2^-18.61
+/// eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p; x from -0.47247 to 0.472715; Q17; error
+/// 2^-18.61
 pub(crate) const KEPLER: Polynomial<i32, 8, 0> = Polynomial {
     small: [3351, 3284, 3065, 4567, 6795, 11328, 25009, 18653],
     large: [],

@@ -1,11 +1,11 @@
 //! Cube roots. Error in units of 2⁻³¹, exhaustive: 0.9206 (worst word 0x3d480ef7).
 
-use super::mul::mul_high;
-use super::normal::normal;
-use super::table::CBRT;
+use super::coefficients::CBRT;
+use crate::fixed::kernel::mul::mul_high;
+use crate::fixed::kernel::normal::normal;
 
 /// 2^(−1/3) and 2^(−2/3) in Q32.
-pub(crate) const THIRD: u32 = 3408917802;
+const THIRD: u32 = 3408917802;
 const TWO_THIRDS: u32 = 2705659852;
 
 /// ∛(m·2⁻ᵉ) in Q32, of m ≥ 2³¹ in Q32, e < 96.

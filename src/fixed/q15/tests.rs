@@ -1,10 +1,11 @@
-//! Every kernel against `f64`: those of an angle on all 2¹⁶ phases, roots on all 2¹⁶ half-words and on 2²² words of all magnitudes.
-//! Errors are in units of 2⁻¹⁵ (of 2⁻¹⁶ for angles and reciprocals), before the last rounding but for the first two.
+//! Every kernel against `f64`: those of an angle on all 2¹⁶ phases, roots on all 2¹⁶ half-words
+//! and on 2²² words of all magnitudes. Errors are in units of 2⁻¹⁵ (of 2⁻¹⁶ for angles and
+//! reciprocals), before the last rounding but for the first two.
 extern crate std;
 
-use super::super::cos_sin;
-use super::table::{TURN_COS, TURN_SIN};
+use super::coefficients::{TURN_COS, TURN_SIN};
 use super::{angle, kepler, root, turn};
+use crate::fixed::cos_sin;
 use ::fixed::types::I0F16;
 use core::f64::consts::{FRAC_PI_4, TAU};
 use std::{println, vec::Vec};

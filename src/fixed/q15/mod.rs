@@ -1,16 +1,35 @@
-//! The format of [`Fixed16`](super::Fixed16).
+//! The format of [`Fixed16`](type@super::Fixed16): 16 bits, by products of 16 by 16 bits alone,
+//! one instruction each on a Cortex-M0.
+//!
+//! Arguments and results of kernels are the words of 32 bits that the laws work in.
 
-use super::kernel::{ONE, angle, kepler, root, turn};
-use super::{kernel, words};
-use crate::fixed::format::Format;
+pub(crate) mod angle;
+pub(crate) mod coefficients;
+mod draw;
+pub(crate) mod kepler;
+pub(crate) mod root;
+#[cfg(test)]
+mod tests;
+pub(crate) mod turn;
+pub(crate) mod word;
+
+use super::format::{Format, Turn};
+use super::planar;
 use ::fixed::types::{I0F16, I1F15, U0F16};
 use rand_core::Rng;
+use word::ONE;
 
 /// Components in Q15, all else in Q16.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Q15;
 
+impl Turn for I0F16 {
+    type Format = Q15;
+}
+
 impl Format for Q15 {
+    const NAME: &str = "Fixed16";
+
     type Component = I1F15;
     type Probability = U0F16;
     type Turn = I0F16;
@@ -30,7 +49,7 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn probability(q32: u32) -> U0F16 {
-        U0F16::from_bits(kernel::rounded(q32) as u16)
+        U0F16::from_bits(word::rounded(q32) as u16)
     }
 
     #[inline(always)]
@@ -54,6 +73,11 @@ impl Format for Q15 {
     }
 
     #[inline(always)]
+    fn clamped(q31: i32) -> i32 {
+        q31.clamp(-(ONE as i32), ONE as i32)
+    }
+
+    #[inline(always)]
     fn signed(magnitude: u32, sign: u32) -> i32 {
         let mask = (sign as i32) >> 31;
         (magnitude.min(ONE) as i32 ^ mask) - mask
@@ -61,12 +85,12 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn mul(a: u32, b: u32) -> u32 {
-        kernel::mul(a, b)
+        word::mul(a, b)
     }
 
     #[inline(always)]
     fn times(x: u32, constant: u32) -> u32 {
-        (((x >> 15) + 1) >> 1) * kernel::rounded(constant)
+        (((x >> 15) + 1) >> 1) * word::rounded(constant)
     }
 
     #[inline(always)]
@@ -121,19 +145,19 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 3] {
-        let (cos, spare) = words::largest::<N, R>(rng);
+        let (cos, spare) = draw::largest::<N, R>(rng);
         // Half a step, which centres the azimuths of a half-word.
         let phase = if N == 3 {
             spare | (1 << 15)
         } else {
             rng.next_u32()
         };
-        words::spatial(cos, phase)
+        draw::spatial(cos, phase)
     }
 
     #[inline(always)]
     fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
-        words::largest::<3, R>(rng)
+        draw::largest::<3, R>(rng)
     }
 
     /// v = 1 − |sin θ| is a word, and its lowest bit the sign.
@@ -141,6 +165,6 @@ impl Format for Q15 {
     fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 2] {
         let v = rng.next_u32();
         let (sin, sign) = (!v >> 1, v << 31);
-        crate::fixed::words::planar::<Q15>(root::complement::<32>(v | 1), sin, sign)
+        planar::direction::<Q15>(root::complement::<32>(v | 1), sin, sign)
     }
 }

@@ -1,10 +1,9 @@
 //! Kepler's equation at e = 1: the angle at a tail of the disk's law.
 
-use super::table::KEPLER;
-use crate::fixed::kernel::table::KEPLER_MIDDLE;
+use super::coefficients::{KEPLER, KEPLER_MIDDLE};
 
-/// The angle from the nearer end in quarter turns, Q32 (1 saturates), at z = ∛p in Q32, p ≤ ½; rounded to the 17 bits that
-/// [`quarter`](super::turn::quarter) reads.
+/// The angle from the nearer end in quarter turns, Q32 (1 saturates), at z = ∛p in Q32, p ≤ ½;
+/// rounded to the 17 bits that [`quarter`](super::turn::quarter) reads.
 #[inline(always)]
 pub(crate) fn from_end(z: u32) -> u32 {
     let high = z >> 16;

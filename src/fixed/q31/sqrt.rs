@@ -1,13 +1,15 @@
 //! Square and fourth roots.
 //!
-//! r ≈ 1/√m from a polynomial of degree 3, once improved by Newton's step, gives √m to 16 bits; the exact
-//! remainder of its square gives the other 16. Two long products, all others short.
+//! r ≈ 1/√m from a polynomial of degree 3, once improved by Newton's step, gives √m to 16 bits;
+//! the exact remainder of its square gives the other 16. Two long products, all others short.
 //!
-//! Errors in units of 2⁻³¹, exhaustive: √x 0.8333 (worst word 0x7ca48747), ⁴√x 0.9974 (0x617930aa).
+//! Errors in units of 2⁻³¹, exhaustive: √x 0.8333 (worst word 0x7ca48747), ⁴√x 0.9974
+//! (0x617930aa).
 
-use super::mul::mul_high;
-use super::normal::{normal, normal_long};
-use super::table::RECIP_SQRT;
+use super::coefficients::RECIP_SQRT;
+use crate::fixed::kernel::halve;
+use crate::fixed::kernel::mul::mul_high;
+use crate::fixed::kernel::normal::{normal, normal_long};
 
 /// √(m·2⁻³²⁻ᵒᵈᵈ) in Q32, for m ≥ 2³¹ and odd 0 or 1.
 #[inline(always)]
@@ -18,7 +20,8 @@ fn of_mantissa(m: u32, odd: u32) -> u32 {
     let r = r + (((r * ROOT_TWO_LESS_ONE + (1 << 14)) >> 15) & odd.wrapping_neg());
     let (m, lost) = (m >> odd, (m & odd) as i32);
     let s = (mul_high(m, r << 13) + (1 << 13)) >> 14; // Q16
-    // Both differences are small; s = 2¹⁶ makes its square and its shift wrap, and the sum wraps back.
+    // Both differences are small; s = 2¹⁶ makes its square and its shift wrap, and the sum wraps
+    // back.
     let rest = m.wrapping_sub(s.wrapping_mul(s)) as i32;
     let slope = ((r + 1) >> 1) as i32; // Q16
     let low = (((rest & 3) * 2 + lost) * slope) >> 3;
@@ -71,10 +74,4 @@ pub(crate) fn complement(v: u64) -> u32 {
     let less = (product >> 31) ^ 1;
     let e = (shift + less).wrapping_sub(1);
     halve(of_mantissa(product << less, e & 1) >> (e >> 1).min(31))
-}
-
-/// Q32 to the nearest of Q31.
-#[inline(always)]
-pub(crate) fn halve(x: u32) -> u32 {
-    (x >> 1) + (x & 1)
 }

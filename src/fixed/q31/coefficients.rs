@@ -1,8 +1,9 @@
 //! Coefficients, written by `python3 tools/fixed_coefficients.py`: do not edit.
 //!
-//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.
+//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding
+//! comes on top.
 
-use super::poly::Polynomial;
+use crate::fixed::kernel::poly::Polynomial;
 
 /// 3/4 of (1/2)^(2/3), in Q32.
 pub(crate) const KEPLER_MIDDLE: u32 = 2029244888;
@@ -46,7 +47,8 @@ pub(crate) const ASIN: Polynomial<i32, 1, 5> = Polynomial {
     large: [19310634, 30649918, 51261538, 113927655, 683565275],
 };
 
-/// eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p; x from -0.47247 to 0.472471; Q32; error 2^-32.1
+/// eta / z - 1 in 3/2 z^2 - KEPLER_MIDDLE, z = cbrt p; x from -0.47247 to 0.472471; Q32; error
+/// 2^-32.1
 pub(crate) const KEPLER: Polynomial<i32, 1, 12> = Polynomial {
     small: [58805903],
     large: [

@@ -1,7 +1,7 @@
 //! Kepler's equation at e = 1: the angle at a tail of the disk's law.
 
-use super::mul::mul_high;
-use super::table::{KEPLER, KEPLER_MIDDLE};
+use super::coefficients::{KEPLER, KEPLER_MIDDLE};
+use crate::fixed::kernel::mul::mul_high;
 
 /// The angle from the nearer end in quarter turns, Q32 (1 saturates), at z = ∛p in Q32, p ≤ ½.
 ///
