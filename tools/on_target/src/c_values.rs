@@ -1,7 +1,6 @@
 //! What the C program has to print: a hash of the same calls, made in Rust, for each function.
 
 use crate::c_integers;
-use coslobe::rand_core::Rng;
 use coslobe::self_test::{self, Alarm, Check, Fault, Subject};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, PlanarPoint,
@@ -84,7 +83,9 @@ impl Lines {
     /// A drawing function's line: sixteen draws, a failure, two null pointers, nothing written.
     pub(crate) fn draws(&mut self, law: &str, op: &str, number: &str, draws: Vec<Vec<u32>>) {
         let nothing = vec![0; draws[0].len()];
-        let drawn = draws.into_iter().flat_map(|words| [vec![0], words].concat());
+        let drawn = draws
+            .into_iter()
+            .flat_map(|words| [vec![0], words].concat());
         let refused = [FAILURE, NULL_POINTER, NULL_POINTER].map(i32::cast_unsigned);
         self.add(law, op, number, drawn.chain(refused).chain(nothing));
     }
@@ -107,7 +108,12 @@ impl Lines {
         };
         let statuses = [good, FAILURE, FAULT].map(i32::cast_unsigned);
         let words = statuses.into_iter().chain(why);
-        self.add(law, "self_test", number, words.chain([NULL_POINTER.cast_unsigned()]));
+        self.add(
+            law,
+            "self_test",
+            number,
+            words.chain([NULL_POINTER.cast_unsigned()]),
+        );
     }
 }
 
@@ -142,7 +148,11 @@ impl Float for f32 {
         x
     }
     fn bits(self) -> u32 {
-        if self.is_nan() { 0x7fc0_0000 } else { self.to_bits() }
+        if self.is_nan() {
+            0x7fc0_0000
+        } else {
+            self.to_bits()
+        }
     }
 }
 
@@ -166,9 +176,15 @@ fn floats<T: Float>(lines: &mut Lines, number: &str) {
     spatial::<T, _>(lines, "ball", number, Ball);
     spatial::<T, _>(lines, "sphere_shell", number, SphereShell);
     spatial::<T, _>(lines, "lambert", number, Lambert);
-    point3::<T>(lines, "ball", number, |rho, rng| Ball.sample_point(rho, rng));
-    point3::<T>(lines, "sphere_shell", number, |rho, rng| SphereShell.sample_point(rho, rng));
-    point3::<T>(lines, "lambert", number, |rho, rng| Lambert.sample_point(rho, rng));
+    point3::<T>(lines, "ball", number, |rho, rng| {
+        Ball.sample_point(rho, rng)
+    });
+    point3::<T>(lines, "sphere_shell", number, |rho, rng| {
+        SphereShell.sample_point(rho, rng)
+    });
+    point3::<T>(lines, "lambert", number, |rho, rng| {
+        Lambert.sample_point(rho, rng)
+    });
     let lobe = CosPower::new(T::of(7.3)).expect("7.3 is an exponent");
     spatial::<T, _>(lines, "cos_power", number, lobe);
 }
@@ -184,7 +200,9 @@ fn values<T: Float>(lines: &mut Lines, law: &str, number: &str, l: &impl Law<T>)
     of_number("quantile", &|x| l.quantile(x));
     of_number("isf", &|x| l.isf(x));
     let mut to_pair = |op: &str, f: &dyn Fn(T) -> CosSin<T>| {
-        let words = inputs().map(f).flat_map(|at| [at.cos.bits(), at.sin.bits()]);
+        let words = inputs()
+            .map(f)
+            .flat_map(|at| [at.cos.bits(), at.sin.bits()]);
         lines.add(law, op, number, words);
     };
     to_pair("warp", &|x| l.warp(x));
@@ -223,7 +241,12 @@ where
     lines.draws(law, "sample", number, sixteen(draw));
     lines.draws(law, "fill", number, filled(draw));
     let rho = Radius::new(T::of(RADIUS)).expect("a radius");
-    lines.draws(law, "point", number, sixteen(|rng| bits(l.sample_point(rho, rng))));
+    lines.draws(
+        law,
+        "point",
+        number,
+        sixteen(|rng| bits(l.sample_point(rho, rng))),
+    );
     lines.self_test(law, number, self_test::planar::<T, _>(l.clone()));
 }
 
