@@ -67,8 +67,12 @@
 //! ball and sphere*; [`SphereShell`] and [`CircleShell`] say where its measure differs from its
 //! problem statement.
 
+#[cfg(feature = "std")]
+extern crate std;
+
 pub mod accuracy;
 mod arithmetic;
+pub mod batch;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
@@ -85,6 +89,7 @@ mod tails;
 pub mod uniform;
 mod weight;
 
+pub use batch::{Batch, LengthError};
 pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
 pub use fixed::{Fixed, Fixed16};

@@ -6,8 +6,8 @@ use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed, Lambert, Law, Moments, SphereShell};
 use fixed::types::{I1F31, U0F32, U16F16};
+use kit::stats::claim::{Claim, Direction};
 use kit::stats::harness::{examine, examine_tail};
-use kit::stats::laws::{Claim, Direction};
 use kit::stats::words::{self, Words};
 
 /// One unit in the last place.

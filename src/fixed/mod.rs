@@ -110,7 +110,7 @@
 //! # Cost
 //!
 //! Instructions, flash, stack and words of every operation on Cortex-M0, M3, M4F and RV32IMC stand
-//! in `docs/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole sample
+//! in `docs/measured/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole sample
 //! with its azimuth costs what `warp` takes for θ alone. The 64-bit product, one instruction on
 //! the larger cores, is four products on Cortex-M0, with the same bits; `Fixed16` has none.
 //!

@@ -50,7 +50,7 @@ impl Ball {
 }
 
 impl<W: Kernel> Formulas<W> for Ball {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
         let p = at.cos.times(at.cos).times(at.cos.times(at.sin));
@@ -62,15 +62,17 @@ impl<W: Kernel> Formulas<W> for Ball {
         )
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
-        let p =
-            W::CONSTANTS.ln_two_over_pi.value() + W::ln_cos(at) * W::int(3) + at.sin.value().ln();
+        // One logarithm for cos³θ: three times that of cos θ has three times its error.
+        let c = at.cos;
+        let p = c.times(c).times(c.times(W::CONSTANTS.two_over_pi));
+        let p = p.value().ln() + at.sin.value().ln();
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let at = W::at_angle(theta);
         let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
@@ -78,13 +80,13 @@ impl<W: Kernel> Formulas<W> for Ball {
         spatial_tails(theta, Tails::from_both(lower, c2.times(c2).value()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         let p = at.cos * at.cos * at.cos * W::CONSTANTS.two_over_pi.value();
         spatial_direction(at, p)
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (cos, cos_squared) = p.upper().fourth_root();
         CosSin {
@@ -93,19 +95,21 @@ impl<W: Kernel> Formulas<W> for Ball {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = s2 * (W::ONE + c2);
         spatial_direction_tails(at, Tails::from_both(lower, c2 * c2))
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        spatial_direction(at, W::HALF / (at.cos * at.cos))
+        // Scaled, since cos²θ alone can be subnormal where the weight is finite.
+        let four_cos = at.cos * W::int(4);
+        spatial_direction(at, W::int(8) / (four_cos * four_cos))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         let c = W::at_angle(theta).cos;
         let p = c.times(c).times(c.times(W::CONSTANTS.two_over_pi)).value();

@@ -45,12 +45,12 @@ impl CircleArc {
 }
 
 impl<W: Kernel> Formulas<W> for CircleArc {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         within(theta, planar(theta), W::CONSTANTS.recip_pi.value(), W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         within(
             theta,
@@ -60,7 +60,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         )
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let p = W::from_end(theta.abs())
             .times(W::CONSTANTS.recip_pi)
@@ -69,12 +69,12 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         Tails::from_nearer(p, theta > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::CONSTANTS.recip_pi.value())
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_lower) = p.nearer();
         let CosSin { cos, sin } = W::half_turn(p);
@@ -84,7 +84,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let (sin, recip_pi) = (at.sin.abs(), W::CONSTANTS.recip_pi.value());
         let p = if at.cos <= sin {
@@ -95,7 +95,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let (p, is_lower) = p.nearer();
         let d = W::HALF - p;
@@ -103,7 +103,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         theta.negate_if_odd(is_lower)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::CONSTANTS.half_pi.value() * at.cos)
     }

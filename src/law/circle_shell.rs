@@ -51,19 +51,19 @@ impl CircleShell {
 }
 
 impl<W: Kernel> Formulas<W> for CircleShell {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let p = W::at_angle(theta).cos.value() * W::HALF;
         within(theta, planar(theta), p, W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let p = W::ln_cos(W::at_angle(theta)) - W::CONSTANTS.ln_2.value();
         within(theta, planar(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let at = W::at_angle(theta);
         let p = nearer_tail(at.cos.times(at.cos).value(), at.sin.value());
@@ -71,12 +71,12 @@ impl<W: Kernel> Formulas<W> for CircleShell {
         Tails::from_nearer(p, theta > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         planar_direction(at, at.cos * W::HALF)
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_lower) = p.nearer();
         let sin = W::ONE - (p + p);
@@ -89,7 +89,7 @@ impl<W: Kernel> Formulas<W> for CircleShell {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let sin = at.sin.abs();
         let p = if at.cos <= sin {
@@ -100,7 +100,7 @@ impl<W: Kernel> Formulas<W> for CircleShell {
         Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::ONE)
     }

@@ -49,34 +49,34 @@ impl Disk {
 }
 
 impl<W: Kernel> Formulas<W> for Disk {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let c = W::at_angle(theta).cos;
         let p = c.times(c).times(W::CONSTANTS.two_over_pi).value();
         within(theta, planar(theta), p, W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let p = W::CONSTANTS.ln_two_over_pi.value() + W::ln_cos(W::at_angle(theta)) * W::int(2);
         within(theta, planar(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let inside = planar(theta);
         let p = within(theta, inside, W::disk_tail_at_angle(theta.abs()), W::ZERO);
         Tails::from_nearer(p, theta > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         let c2 = at.cos * at.cos;
         let p = c2 * W::CONSTANTS.two_over_pi.value();
         planar_direction(at, p)
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_lower) = p.nearer();
         let CosSin { cos, sin } = W::disk_direction_at_tail(p);
@@ -86,19 +86,19 @@ impl<W: Kernel> Formulas<W> for Disk {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let p = W::disk_tail_at_direction(at.cos, at.sin.abs());
         Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let (p, is_lower) = p.nearer();
         W::disk_angle_at_tail(p).negate_if_odd(is_lower)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::CONSTANTS.pi.value() * W::QUARTER / at.cos.abs())
     }

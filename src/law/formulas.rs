@@ -23,12 +23,12 @@ pub trait Formulas<W: Kernel> {
     fn lambert_weight(&self, at: CosSin<W>) -> W;
 
     /// As [`density`](Formulas::density), at θ: in the plane that is the pdf.
-    #[inline]
+    #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         self.pdf(theta)
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         W::angle(self.warp_tails(p))
     }
@@ -92,55 +92,60 @@ where
 }
 
 impl<T: Real, L: Own + Phases<T>> Law<T> for L {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,
             || [self.quick().pdf(Holds::from_number(theta))],
+            #[inline(always)]
             || [self.accurate().pdf(Holds::from_number(theta))],
         );
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::OfOne,
             || [self.quick().ln_pdf(Holds::from_number(theta))],
+            #[inline(always)]
             || [self.accurate().ln_pdf(Holds::from_number(theta))],
         );
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: T) -> Tails<T> {
         Tails::from_array(T::rounded(
             Margin::Relative,
             || self.quick().tails(Holds::from_number(theta)).to_array(),
+            #[inline(always)]
             || self.accurate().tails(Holds::from_number(theta)).to_array(),
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<T>) -> T {
         let [p] = T::rounded(
             Margin::Relative,
             || [self.quick().density(Holds::from_components(at))],
+            #[inline(always)]
             || [self.accurate().density(Holds::from_components(at))],
         );
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
         CosSin::from_array(T::rounded(
             Margin::Relative,
             || self.quick().warp_tails(Holds::from_tails(p)).to_array(),
+            #[inline(always)]
             || self.accurate().warp_tails(Holds::from_tails(p)).to_array(),
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
         Tails::from_array(T::rounded(
             Margin::Relative,
@@ -149,6 +154,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
                     .unwarp_tails(Holds::from_direction(at))
                     .to_array()
             },
+            #[inline(always)]
             || {
                 self.accurate()
                     .unwarp_tails(Holds::from_direction(at))
@@ -157,21 +163,23 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<T>) -> T {
         let [theta] = T::rounded(
             Margin::Relative,
             || [self.quick().quantile_tails(Holds::from_tails(p))],
+            #[inline(always)]
             || [self.accurate().quantile_tails(Holds::from_tails(p))],
         );
         into_support(theta)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<T>) -> T {
         let [weight] = T::rounded(
             Margin::Relative,
             || [self.quick().lambert_weight(Holds::from_components(at))],
+            #[inline(always)]
             || [self.accurate().lambert_weight(Holds::from_components(at))],
         );
         weight
@@ -184,7 +192,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
 }
 
 /// [`Spatial::pdf_solid_angle`](super::Spatial::pdf_solid_angle) of a law of this crate.
-#[inline]
+#[inline(always)]
 pub(crate) fn pdf_solid_angle<T: Real, L: Own + Phases<T>>(law: &L, theta: T) -> T {
     let [p] = T::rounded(
         Margin::Relative,

@@ -52,33 +52,34 @@ impl Lambert {
 }
 
 impl<W: Kernel> Formulas<W> for Lambert {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
         let p = at.cos.times(at.sin).times(W::CONSTANTS.recip_pi).value();
         within(theta, spatial(theta), p, W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
-        let p = W::ln_cos(at) - W::CONSTANTS.ln_pi.value() + at.sin.value().ln();
+        let p = at.cos.times(W::CONSTANTS.recip_pi);
+        let p = p.value().ln() + at.sin.value().ln();
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let at = W::at_angle(theta);
         let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
         spatial_tails(theta, Tails::from_both(s2.value(), c2.value()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         spatial_direction(at, at.cos * W::CONSTANTS.recip_pi.value())
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         CosSin {
             cos: p.upper().sqrt(),
@@ -86,18 +87,18 @@ impl<W: Kernel> Formulas<W> for Lambert {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         spatial_direction_tails(at, Tails::from_both(s2, c2))
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         spatial_direction(at, W::ONE)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         let p = W::at_angle(theta).cos.times(W::CONSTANTS.recip_pi).value();
         within(theta, spatial(theta), p, W::ZERO)

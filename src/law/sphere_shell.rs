@@ -51,7 +51,7 @@ impl SphereShell {
 }
 
 impl<W: Kernel> Formulas<W> for SphereShell {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
         let p = at.cos.times(at.sin).times(at.cos);
@@ -63,16 +63,15 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         )
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
-        let p = W::CONSTANTS.ln_three_over_two_pi.value()
-            + W::ln_cos(at) * W::int(2)
-            + at.sin.value().ln();
+        let p = at.cos.times(at.cos).times(W::CONSTANTS.three_over_two_pi);
+        let p = p.value().ln() + at.sin.value().ln();
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let at = W::at_angle(theta);
         let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
@@ -80,13 +79,13 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         spatial_tails(theta, Tails::from_both(lower, c2.times(at.cos).value()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         let p = at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value();
         spatial_direction(at, p)
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let cos = p.upper().cbrt();
         let ratio = (W::ONE + cos) / (W::ONE + cos + cos * cos);
@@ -96,7 +95,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = lower_tail(at.cos, s2);
@@ -104,7 +103,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     }
 
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let at = self.warp_tails(p);
         // Below this the ratio of the tails is 2/3 to all digits, and cubes would underflow.
@@ -118,12 +117,12 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         W::angle(CosSin { cos: at.cos, sin })
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         spatial_direction(at, W::int(2) / (W::int(3) * at.cos.abs()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         let c = W::at_angle(theta).cos;
         let p = c.times(c).times(W::CONSTANTS.three_over_two_pi).value();

@@ -16,6 +16,51 @@ pub enum Margin {
     OfOne,
 }
 
+/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of them.
+pub trait Bits: Copy + Default {
+    type Half: Copy + Default;
+    /// The upper half, then the lower.
+    fn split(self) -> [Self::Half; 2];
+    fn join(halves: [Self::Half; 2]) -> Self;
+}
+
+impl Bits for u64 {
+    type Half = u32;
+    #[inline(always)]
+    fn split(self) -> [u32; 2] {
+        [(self >> 32) as u32, self as u32]
+    }
+    #[inline(always)]
+    fn join([upper, lower]: [u32; 2]) -> u64 {
+        u64::from(upper) << 32 | u64::from(lower)
+    }
+}
+
+impl Bits for u128 {
+    type Half = u64;
+    #[inline(always)]
+    fn split(self) -> [u64; 2] {
+        [(self >> 64) as u64, self as u64]
+    }
+    #[inline(always)]
+    fn join([upper, lower]: [u64; 2]) -> u128 {
+        u128::from(upper) << 64 | u128::from(lower)
+    }
+}
+
+/// As wide as its number already: all bits are the upper half.
+impl Bits for u32 {
+    type Half = u32;
+    #[inline(always)]
+    fn split(self) -> [u32; 2] {
+        [self, 0]
+    }
+    #[inline(always)]
+    fn join([upper, _]: [u32; 2]) -> u32 {
+        upper
+    }
+}
+
 /// A number type of the public interface.
 pub trait Tier: Scalar {
     /// The arithmetic that is tried first.
@@ -39,9 +84,9 @@ pub trait Tier: Scalar {
     fn from_base(x: Self::Base) -> Self;
 
     /// Random bits behind one [`Tails`].
-    type TailBits: Copy;
+    type TailBits: Bits;
     /// Random bits behind one azimuth.
-    type TurnBits: Copy;
+    type TurnBits: Copy + Default;
     fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits;
     fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits;
     fn tails_from_bits(bits: Self::TailBits) -> Tails<Self>;

@@ -6,9 +6,9 @@ use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, Law, Moments, SphereShell};
 use fixed::types::I1F15;
+use kit::stats::claim::{Claim, Direction};
 use kit::stats::harness::{examine, examine_tail};
 use kit::stats::ks;
-use kit::stats::laws::{Claim, Direction};
 use kit::stats::words::{self, Words};
 
 /// One unit in the last place.

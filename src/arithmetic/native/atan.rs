@@ -6,7 +6,7 @@ use crate::CosSin;
 use crate::arithmetic::native::format::Native;
 
 /// θ of a unit vector with cos θ ≥ 0. Error < 1 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn of_direction<T: Native>(at: CosSin<T>) -> T {
     let (y, x) = (at.sin.abs(), at.cos);
     let steep = y > x;
@@ -15,7 +15,7 @@ pub(crate) fn of_direction<T: Native>(at: CosSin<T>) -> T {
 }
 
 /// atan2(y, x) with std's conventions for ±0, ±∞ and NaN. Error < 1 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn atan2<T: Native>(y: T, x: T) -> T {
     let (a, b) = (y.abs(), x.abs());
     let steep = a > b;

@@ -4,7 +4,7 @@ use super::pair::Pair;
 use crate::arithmetic::native::format::Native;
 
 /// Adds what rounding took from a cube root t = ∛x.
-#[inline]
+#[inline(always)]
 pub(crate) fn refine<T: Native>(t: T, x: T) -> Pair<T> {
     let square = Pair::two_prod(t, t);
     let cube = square.mul(Pair::exact(t));

@@ -21,6 +21,11 @@ pub trait Float: Scalar {
     /// 1 and half the last place that `leading_half` keeps of it.
     const CBRT_RAISE: Self;
 
+    /// 2ⁿ whose last place is ¼.
+    const COUNTS_QUARTERS: Self;
+
+    /// The lower bits of the pattern.
+    fn last_bits(self) -> u32;
     /// Truncated; for 0 ≤ x < 2³¹.
     fn to_u32(self) -> u32;
     fn to_i32(self) -> i32;

@@ -26,7 +26,7 @@ pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
 }
 
 /// Σ cᵢ xⁱ with the leading terms summed as pairs.
-#[inline]
+#[inline(always)]
 pub(crate) fn horner_pair<T: Native>(x: Pair<T>, c: &Series<T>) -> Pair<T> {
     let tail = Pair::exact(horner(x.hi, c.tail));
     c.head.iter().rev().fold(tail, |sum, &k| sum.mul(x).add(k))

@@ -18,7 +18,7 @@ fn eighth<T: Native>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
 }
 
 /// The pair at `quadrant`/4 + x turns, |x| ≤ 1/8.
-#[inline]
+#[inline(always)]
 pub(crate) fn at_quadrant<T: Native>(quadrant: u32, x: T) -> CosSin<T> {
     into_quadrant(quadrant, eighth(x, x, T::CONSTANTS.two_pi, T::ONE))
 }
@@ -50,15 +50,24 @@ pub(crate) fn merge_if_odd(n: u32, a: u32, b: u32) -> (u32, u32) {
     }
 }
 
+/// (q, x): u turns as the nearest q quarters and x turns, for 0 ≤ u ≤ 1.
+///
+/// A sum whose last place is a quarter rounds to one, and counts them in its last bits: no conversion.
+#[inline(always)]
+pub(crate) fn nearest_quarter<T: Native>(u: T) -> (u32, T) {
+    let sum = u + T::COUNTS_QUARTERS;
+    (sum.last_bits(), u - (sum - T::COUNTS_QUARTERS))
+}
+
 /// The pair at u turns, 0 ≤ u ≤ 1.
-#[inline]
+#[inline(always)]
 pub(crate) fn at_turn<T: Native>(u: T) -> CosSin<T> {
-    let quadrant = (u * T::int(4) + T::HALF).to_u32();
-    at_quadrant(quadrant, u - T::int(quadrant as i16) * T::QUARTER)
+    let (quadrant, x) = nearest_quarter(u);
+    at_quadrant(quadrant, x)
 }
 
 /// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ 1/2: cos is that of the angle from the axis.
-#[inline]
+#[inline(always)]
 pub(crate) fn half_turn<T: Native>(p: T) -> CosSin<T> {
     let d = T::HALF - p;
     // The argument stays p: half a subnormal p would lose its last bit.

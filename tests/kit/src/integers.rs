@@ -1,7 +1,7 @@
 //! Laws in fixed point.
 
 use crate::input::mix;
-use crate::{EXPONENT, Laws, Named, Sink, Subject, Visitor};
+use crate::{EXPONENT, Id, Laws, Named, Sink, Subject, Visitor};
 use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
 use fixed::traits::Fixed as Format;
@@ -24,7 +24,7 @@ impl Laws for Integers {
 }
 
 impl Named for CosPower {
-    const NAME: &'static str = "CosPower";
+    const ID: Id = Id::CosPower(EXPONENT);
 }
 
 /// `CosPower` with the exponent nearest to [`EXPONENT`].
@@ -50,7 +50,7 @@ where
     L: FixedLaw<Density: Format<Bits = u32>> + Named,
     L::Direction: AsRef<[I1F31]>,
 {
-    const LAW: &'static str = L::NAME;
+    const LAW: &'static str = L::ID.name();
     const NUMBER: &'static str = "Fixed";
 
     #[inline]

@@ -35,7 +35,7 @@ impl<L> Subject for InIntegers16<L>
 where
     L: Fixed16Law<Direction: AsRef<[I1F15]>> + Named,
 {
-    const LAW: &'static str = L::NAME;
+    const LAW: &'static str = L::ID.name();
     const NUMBER: &'static str = "Fixed16";
 
     #[inline]
