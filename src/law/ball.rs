@@ -1,14 +1,16 @@
 //! Uniform by volume in a ball.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by volume** in a ball tangent to the origin (paper 4.1).
@@ -120,14 +122,46 @@ impl<W: Kernel> Formulas<W> for Ball {
 impl Own for Ball {}
 
 impl Parameterless for Ball {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.ball_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = Pair::ratio(4, 5);
+        let mean_theta = c.pi.mul(Pair::ratio(3, 16));
+        let mean_theta_squared =
+            c.pi.mul(c.pi)
+                .mul(Pair::ratio(3, 32))
+                .add(Pair::ratio(-1, 2));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(2, 3), mean_cos),
+            mean_theta,
+            var_theta: variance(mean_theta_squared, mean_theta),
+            entropy: Pair::ratio(3, 4).add(c.ln_two_over_pi.neg()),
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for Ball {
+impl Point for Ball {
     const MEASURE: Measure = Measure::Volume;
+    const IS_PLANAR: bool = false;
+    const IS_SOLID: bool = true;
+
+    #[inline]
+    fn share<W: Kernel>(v: W) -> W {
+        v.cbrt()
+    }
+
+    /// 3/(4πρ³).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip = W::ONE / rho;
+        W::CONSTANTS.three_over_two_pi.value() * W::HALF / rho * recip * recip
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let ln_two_cubes = W::CONSTANTS.ln_2.value() + rho.ln() * W::int(3);
+        W::CONSTANTS.ln_three_over_two_pi.value() - ln_two_cubes
+    }
 }
 
 impl<T: Real> Spatial<T> for Ball {

@@ -8,6 +8,11 @@ use crate::{CosSin, Sample, uniform};
 use rand_core::Rng;
 
 /// Laws of a direction in the plane.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the plane, of the number type `{T}`",
+    label = "not planar",
+    note = "the laws in the plane are Disk, CircleShell and CircleArc"
+)]
 pub trait Planar<T: Real>: Law<T> {
     /// Draws \[sin θ, cos θ\]: a unit vector with cos θ > 0.
     ///

@@ -11,6 +11,11 @@ use crate::{CosSin, Frame, Sample, Tails, uniform};
 use rand_core::Rng;
 
 /// Laws of a direction in space, uniform in azimuth.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in space, of the number type `{T}`",
+    label = "not spatial",
+    note = "the laws in space are Ball, SphereShell, Lambert and CosPower"
+)]
 pub trait Spatial<T: Real>: Law<T> {
     /// Density per steradian at polar angle θ.
     fn pdf_solid_angle(&self, theta: T) -> T;
@@ -100,11 +105,11 @@ pub trait Spatial<T: Real>: Law<T> {
     /// Draws a direction around the unit vector `normal`.
     ///
     /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
-    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may lose its
-    /// sign, so that a direction beside the horizon can come out on the surface or below it: weigh
-    /// it by the cosine and density of
-    /// [`sample_around_with_density`](Spatial::sample_around_with_density).
-    /// Randomness as [`sample`](Spatial::sample).
+    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may
+    /// lose its sign, so that a direction beside the horizon can come out on the surface or below
+    /// it: weigh it by the cosine and density of
+    /// [`sample_around_with_density`](Spatial::sample_around_with_density). Randomness as
+    /// [`sample`](Spatial::sample).
     ///
     /// ```
     /// # use coslobe::{Lambert, Spatial};

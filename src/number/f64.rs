@@ -1,4 +1,5 @@
-//! `f64` as a number type: its formulas run in its own arithmetic, and nothing is rounded after them.
+//! `f64` as a number type: its formulas run in its own arithmetic, and nothing is rounded after
+//! them.
 
 use super::Real;
 use crate::arithmetic::holds::Holds;

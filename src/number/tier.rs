@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
-/// What a rounding test may take as the error of a quick result.
+/// What bounds the error of a quick result in the rounding test.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Margin {
     /// In proportion to the result.
@@ -16,7 +16,8 @@ pub enum Margin {
     OfOne,
 }
 
-/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of them.
+/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of
+/// them.
 pub trait Bits: Copy + Default {
     type Half: Copy + Default;
     /// The upper half, then the lower.
@@ -63,9 +64,9 @@ impl Bits for u32 {
 
 /// A number type of the public interface.
 pub trait Tier: Scalar {
-    /// The arithmetic that is tried first.
+    /// The arithmetic of the quick phase, which is tried first.
     type Quick: Holds<Self>;
-    /// The arithmetic that decides.
+    /// The arithmetic of the accurate phase, which decides where the quick one cannot.
     type Accurate: Holds<Self>;
     /// The format that exact constants are read from.
     type Base: Native;
@@ -73,7 +74,8 @@ pub trait Tier: Scalar {
     /// How far the square of a unit vector's length may be from 1.
     const UNIT_SLACK: Self::Base;
 
-    /// The results of `accurate`, rounded; those of `quick` where they can be seen to round alike.
+    /// The results of the accurate phase, rounded; those of the quick phase where a rounding test
+    /// shows that they round to the same numbers.
     fn rounded<const N: usize>(
         margin: Margin,
         quick: impl FnOnce() -> [Self::Quick; N],

@@ -18,7 +18,7 @@ pub trait Float: Scalar {
     const CBRT_THIRD: Self;
     const CBRT_SECOND: Self;
     const CBRT_FOURTH: Self;
-    /// 1 and half the last place that `leading_half` keeps of it.
+    /// 1 plus half the last place that `leading_half` keeps of 1.
     const CBRT_RAISE: Self;
 
     /// 2ⁿ whose last place is ¼.

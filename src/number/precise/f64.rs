@@ -15,8 +15,8 @@ use crate::{CosSin, Tails};
 use rand_core::Rng;
 
 impl Holds<Precise<f64>> for Double {
-    /// NaN for what is too small or too large to be multiplied with all digits: as the laws give NaN
-    /// for NaN, the quick result is then not taken.
+    /// NaN for what is too small or too large to be multiplied with all digits: as the laws give
+    /// NaN for NaN, the quick result is then not taken.
     #[inline(always)]
     fn from_number(x: Precise<f64>) -> Double {
         Double::exact(if x.0 == 0.0 || is_moderate(x.0) {
