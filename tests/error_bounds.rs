@@ -17,14 +17,14 @@ fn holds<T: Format>(subjects: &[Subject<T>], tally: &Tally) {
 
 fn swept<T: Tiers>(ids: &[Id], stride: u64) {
     let subjects = Subject::<T>::all(ids);
-    for input in [Input::Angle, Input::Tail] {
+    for input in Input::ALL {
         holds(&subjects, &sweep(&subjects, input, stride, |_| ()));
     }
 }
 
 fn sampled<T: Tiers>(ids: &[Id], n: u64) {
     let subjects = Subject::<T>::all(ids);
-    for input in [Input::Angle, Input::Tail] {
+    for input in Input::ALL {
         holds(&subjects, &sample(&subjects, input, n, |_| ()));
     }
 }
@@ -88,7 +88,7 @@ fn crosses_zero<T: Tiers>() {
                     below = middle
                 }
             }
-            let middle = T::round(below).bits();
+            let middle = T::of(below).bits();
             let around: Vec<_> = (middle - 200..middle + 200).map(T::of_bits).collect();
             let tally = judge(&subjects, Input::Angle, &around);
             holds(&subjects, &tally);

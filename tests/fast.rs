@@ -5,9 +5,9 @@ use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Real, Spatial,
     SphereShell,
 };
-use kit::stats::laws::Float;
+use kit::Number;
 
-fn wide<T: Float>(at: CosSin<T>) -> (f64, f64) {
+fn wide<T: Number>(at: CosSin<T>) -> (f64, f64) {
     (at.cos.into(), at.sin.into())
 }
 

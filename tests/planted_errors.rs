@@ -7,10 +7,10 @@ use kit::accuracy::measure::{Input, sweep};
 use kit::accuracy::op::Op;
 use kit::accuracy::reference::Id;
 use kit::accuracy::spoiled::{Altered, Spoiled};
-use kit::accuracy::subject::{Subject, Tier};
+use kit::accuracy::subject::Subject;
 use kit::accuracy::tally::{Stat, Tally};
 
-fn rejects<T: Tier<Raw = T> + Format>(spoiled: Spoiled, stride: u64) {
+fn rejects<T: Format>(spoiled: Spoiled, stride: u64) {
     let subjects = [Subject::<T>::planar::<T>(Id::Disk, spoiled)];
     let tally = sweep(&subjects, Input::Angle, stride, |_| ());
     assert!(!broken(&subjects, &tally).is_empty());

@@ -5,8 +5,8 @@ use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Planar, Precise, Sample, Spatial,
     SphereShell,
 };
+use kit::Number;
 use kit::accuracy::format::Format;
-use kit::accuracy::values::Tier;
 use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use std::convert::Infallible;
@@ -42,19 +42,19 @@ fn normals() -> impl Iterator<Item = [f64; 3]> {
     })
 }
 
-fn positive<T: Tier, const N: usize>(s: &Sample<T, N>, density: T) {
+fn positive<T: Number, const N: usize>(s: &Sample<T, N>, density: T) {
     assert!(s.at.cos > T::ZERO, "{s:?}");
     assert!(s.density > T::ZERO && s.density.is_finite(), "{s:?}");
     assert_eq!(s.density, density, "{s:?}");
 }
 
 /// How many of the rotated vectors do not lie above the surface.
-fn in_space<T: Tier>(law: impl Spatial<T>) -> usize {
+fn in_space<T: Number>(law: impl Spatial<T>) -> usize {
     let ulp = 2f64.powi(1 - T::Raw::DIGITS);
     let mut words = Pcg64::seed_from_u64(2);
     let (mut worst, mut sunk) = (0.0f64, 0);
     for (i, normal) in normals().enumerate() {
-        let normal = normal.map(|c| T::of(T::Raw::round(c)));
+        let normal = normal.map(T::of);
         let word = if i % 2 == 0 {
             HORIZON
         } else {
@@ -67,12 +67,12 @@ fn in_space<T: Tier>(law: impl Spatial<T>) -> usize {
         let s = law.sample_around_with_density(normal, &mut Stuck(word));
         assert_eq!(s.direction, law.sample_around(normal, &mut Stuck(word)));
         assert_eq!((s.at, s.density), (drawn.at, drawn.density));
-        let exact = |x: T| <T::Raw as Format>::Wide::of(x.raw().wide());
+        let exact = |x: T| <T::Raw as Format>::Wide::of(x.wide());
         let cos = (0..3).fold(Default::default(), |sum: <T::Raw as Format>::Wide, i| {
             sum + exact(normal[i]) * exact(s.direction[i])
         });
         sunk += usize::from(cos.near() <= 0.0);
-        worst = worst.max(cos.minus(s.at.cos.raw().wide()).abs() / ulp);
+        worst = worst.max(cos.minus(s.at.cos.wide()).abs() / ulp);
     }
     println!(
         "{}: {worst:.3} ulp of 1, {sunk} not above the surface",
@@ -86,7 +86,7 @@ fn in_space<T: Tier>(law: impl Spatial<T>) -> usize {
     sunk
 }
 
-fn in_plane<T: Tier>(law: impl Planar<T>) {
+fn in_plane<T: Number>(law: impl Planar<T>) {
     let mut words = Pcg64::seed_from_u64(3);
     for i in 0..10_000 {
         let word = if i == 0 { HORIZON } else { words.next_u64() };
@@ -97,8 +97,8 @@ fn in_plane<T: Tier>(law: impl Planar<T>) {
     }
 }
 
-fn every_law<T: Tier>() {
-    let power = |k| CosPower::new(T::of(T::Raw::round(k))).expect("a valid exponent");
+fn every_law<T: Number>() {
+    let power = |k| CosPower::new(T::of(k)).expect("a valid exponent");
     let sunk = [
         in_space::<T>(Lambert),
         in_space::<T>(Ball),

@@ -150,15 +150,6 @@ CONSTANTS = [
     ("ln_three_over_two_pi", ln(3 / (2 * pi)), "ln 3 / 2 pi"),
 ]
 
-# law: mean cos, mean cos^2, mean theta, mean theta^2, entropy
-MOMENTS = [
-    ("disk", 8 / (3 * pi), mpf(3) / 4, 0, pi**2 / 12 - mpf(1) / 2, ln(2 * pi) - 1),
-    ("circle_shell", pi / 4, mpf(2) / 3, 0, pi**2 / 4 - 2, 1),
-    ("circle_arc", 2 / pi, mpf(1) / 2, 0, pi**2 / 12, ln(pi)),
-    ("ball", mpf(4) / 5, mpf(2) / 3, 3 * pi / 16, 3 * pi**2 / 32 - mpf(1) / 2, ln(pi / 2) + mpf(3) / 4),
-    ("sphere_shell", mpf(3) / 4, mpf(3) / 5, mpf(2) / 3, 2 * pi / 3 - mpf(14) / 9, ln(2 * pi / 3) + mpf(2) / 3),
-    ("lambert", mpf(2) / 3, mpf(1) / 2, pi / 4, pi**2 / 8 - mpf(1) / 2, ln(pi) + mpf(1) / 2),
-]
 
 def over_even_powers(n):
     """a_j of integral of cos^n = sqrt(pi/2t) sum a_j m^-2j, from ln Gamma(m + 1/4) - ln Gamma(m + 3/4)."""
@@ -295,7 +286,6 @@ def emit(bits, fits):
         "",
         "use super::pair::Pair;",
         "use super::table::{Series, Table};",
-        "use crate::Moments;",
         "use crate::arithmetic::constants::Constants;",
         "",
         f"pub(crate) const CONSTANTS: Constants<Pair<{ty}>> = Constants {{",
@@ -303,11 +293,6 @@ def emit(bits, fits):
     for name, value, doc in CONSTANTS:
         lines += [f"    // {doc}", f"    {name}: {pr(value)},"]
     lines += ["};", "", f"pub(crate) const TABLE: Table<{ty}> = Table {{"]
-    for name, cos1, cos2, theta1, theta2, entropy in MOMENTS:
-        values = [cos1, cos2 - cos1**2, theta1, theta2 - mpf(theta1) ** 2, entropy]
-        fields = ["mean_cos", "var_cos", "mean_theta", "var_theta", "entropy"]
-        lines += [f"    {name}_moments: Moments {{"]
-        lines += [f"        {f}: {t(round_to(mpf(v), bits))}," for f, v in zip(fields, values)] + ["    },"]
     for name, cs, err, doc in fits:
         lines += [f"    // {doc}; relative error 2^{mp.nstr(err, 4)}", f"    {name}: &["]
         lines += [f"        {t(c)}," for c in cs] + ["    ],"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares SciPy's inverse of the disk's law with coslobe's, and writes docs/scipy.csv.
+"""Compares SciPy's inverse of the disk's law with coslobe's, and writes docs/measured/scipy.csv.
 
     python3 -m venv venv && venv/bin/pip install scipy numpy mpmath
     cargo build --release -p accuracy_cost
@@ -94,7 +94,7 @@ def decades(deepest, n, rng):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "target/release/accuracy_cost")
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/scipy.csv")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/measured/scipy.csv")
     parser.add_argument("--elements", type=int, default=1_000_000)
     parser.add_argument("--rounds", type=int, default=9)
     parser.add_argument("--per-decade", type=int, default=200)

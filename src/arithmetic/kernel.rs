@@ -1,4 +1,4 @@
-//! The working arithmetic of the laws' formulas.
+//! What an arithmetic gives the laws' formulas.
 
 use super::constants::Constants;
 use crate::scalar::Scalar;
@@ -22,14 +22,14 @@ pub trait Wide<W>: Copy {
     fn sqrt(self) -> W;
 }
 
-/// The kernels that laws are written on. A law's formula is written once; which arithmetic runs
-/// it decides what it costs and how exact it is.
+/// An arithmetic by the kernels that it gives the laws. A law's formula is written once; the
+/// arithmetic that runs it decides what it costs and how exact it is.
 pub trait Kernel: Scalar {
     type Wide: Wide<Self>;
 
     const CONSTANTS: Constants<Self::Wide>;
 
-    /// √(a·b) or √(a/b) by `f`, without losing digits where a is subnormal.
+    /// √f(a), where f(a) is a product or quotient of a, without losing digits where a is subnormal.
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self;
     /// (∜self, √self) for self ≥ 0.
     #[inline(always)]
@@ -41,7 +41,7 @@ pub trait Kernel: Scalar {
     fn cbrt(self) -> Self;
     /// As [`cbrt`](Kernel::cbrt), with what rounding took; for self far from underflow.
     fn cbrt_wide(self) -> Self::Wide;
-    /// True where 1 − x²/2 is 1 and x²'s square counts for nothing.
+    /// True where x is so small that 1 − x²/2 rounds to 1.
     fn is_negligible(self) -> bool;
 
     fn ln(self) -> Self;
@@ -49,7 +49,7 @@ pub trait Kernel: Scalar {
     fn ln_cos(at: CosSin<Self::Wide>) -> Self;
     /// atan2(self, x).
     fn atan2(self, x: Self) -> Self;
-    /// θ of a unit vector with cos θ ≥ 0.
+    /// θ of a direction with cos θ ≥ 0.
     #[inline(always)]
     fn angle(at: CosSin<Self>) -> Self {
         at.sin.atan2(at.cos)
@@ -70,7 +70,7 @@ pub trait Kernel: Scalar {
 
     /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
     fn disk_tail_at_angle(a: Self) -> Self;
-    /// Nearer tail of the disk's law, from the smaller of cos θ and |sin θ|.
+    /// Nearer tail of the disk's law at a direction, from the smaller of cos θ and |sin θ|.
     fn disk_tail_at_direction(cos: Self, sin: Self) -> Self;
     /// (cos θ, |sin θ|) of the disk's law at nearer tail p.
     fn disk_direction_at_tail(p: Self) -> CosSin<Self>;

@@ -5,10 +5,12 @@
 mod mutants;
 
 use coslobe::rand_core::Rng;
-use coslobe::{Fast, PlanarPoint, Precise, Spatial};
+use coslobe::{Fast, Precise, Spatial};
+use kit::catalogue::every_law;
+use kit::stats::claim::{Claim, Direction};
 use kit::stats::harness::{examine, examine_tail};
-use kit::stats::laws::{Claim, Direction, Float, Visitor, each};
 use kit::stats::words;
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 
 /// The random bits reach down to 2⁻⁶⁵ in `f32` and 2⁻¹²⁹ in `f64`.
 const DEPTHS_F32: &[u32] = &[24, 40, 60];
@@ -18,11 +20,11 @@ const DEPTHS_FAST: &[u32] = &[16, 24, 28];
 
 const EXPONENTS: [f64; 5] = [0.0, 0.5, 7.3, 200.0, 1e4];
 
-pub(crate) fn in_plane<T: Float>([x, y]: [T; 2]) -> Direction {
+pub(crate) fn in_plane<T: Number>([x, y]: [T; 2]) -> Direction {
     [x.into(), y.into(), 0.0]
 }
 
-pub(crate) fn in_space<T: Float>(d: [T; 3]) -> Direction {
+pub(crate) fn in_space<T: Number>(d: [T; 3]) -> Direction {
     d.map(Into::into)
 }
 
@@ -52,17 +54,19 @@ impl Laws {
     }
 }
 
-impl<T: Float> Visitor<T> for Laws {
-    fn planar<L: PlanarPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+impl<T: Number> LawVisitor<T> for Laws {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         self.check(&claim, |mut rng| in_plane(law.sample(&mut rng)));
     }
 
-    fn spatial<L: Spatial<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         self.check(&claim, |mut rng| in_space(Spatial::sample(&law, &mut rng)));
     }
 }
 
-fn run<T: Float>(n: usize, tail_n: usize, depths: &'static [u32]) {
+fn run<T: Number>(n: usize, tail_n: usize, depths: &'static [u32]) {
     let bits = if T::TAIL_WORDS == (1, 0) { 32 } else { 64 };
     let mut laws = Laws {
         n,
@@ -70,7 +74,7 @@ fn run<T: Float>(n: usize, tail_n: usize, depths: &'static [u32]) {
         depths,
         bits,
     };
-    each::<T>(&mut laws, &EXPONENTS);
+    every_law::<T>(&mut laws, &EXPONENTS);
 }
 
 #[test]

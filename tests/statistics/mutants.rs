@@ -6,8 +6,9 @@ use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Spatial,
     SphereShell, uniform,
 };
+use kit::Number;
+use kit::stats::claim::{Claim, Direction};
 use kit::stats::harness::{examine, examine_tail};
-use kit::stats::laws::{Claim, Direction, Float};
 use kit::stats::words;
 use std::f64::consts::TAU;
 
@@ -18,11 +19,11 @@ fn planar<L: Planar<f64>>(name: &str, k: f64, law: L) -> Claim {
     Claim::new(name, true, k, law.moments())
 }
 
-fn spatial<T: Float, L: Spatial<T>>(name: &str, k: f64, law: L) -> Claim {
+fn spatial<T: Number, L: Spatial<T>>(name: &str, k: f64, law: L) -> Claim {
     Claim::new(name, false, k, law.moments())
 }
 
-fn from_pair<T: Float>(at: CosSin<T>, azimuth: CosSin<T>) -> Direction {
+fn from_pair<T: Number>(at: CosSin<T>, azimuth: CosSin<T>) -> Direction {
     in_space([at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin])
 }
 
@@ -76,12 +77,12 @@ fn arc_for_shell_and_back() {
 }
 
 /// The usual uniform of 24 bits, warped from the horizon.
-fn on_a_grid<T: Float>(law: impl Law<T>, mut rng: &mut dyn Rng) -> Direction {
+fn on_a_grid<T: Number>(law: impl Law<T>, mut rng: &mut dyn Rng) -> Direction {
     let u = (rng.next_u64() >> 40) as f64 * 0.5f64.powi(24);
     from_pair(law.warp_sf(T::of(u)), uniform::azimuth(&mut rng))
 }
 
-fn grid_of_24_bits<T: Float>() {
+fn grid_of_24_bits<T: Number>() {
     let claim = spatial::<T, _>("24 bits as Ball", 3.0, Ball);
     let mut rng = words::pcg(MUTANT);
     assert!(examine(&claim, MILLION, || on_a_grid::<T>(Ball, &mut rng)).rejects("ties"));

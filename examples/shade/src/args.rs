@@ -53,7 +53,7 @@ pub(crate) enum Task {
     /// written by hand; writes shade.md and shade.csv.
     Table {
         /// Folder for the tables; other files in it are left alone.
-        #[arg(long, default_value = "docs")]
+        #[arg(long, default_value = "docs/measured")]
         out: PathBuf,
     },
     /// Renders a scene in every number type with the same random words: time and error, OUT.md and OUT.png.
@@ -61,7 +61,7 @@ pub(crate) enum Task {
         /// The scene file (TOML), of a scene in space.
         scene: PathBuf,
         /// What the page and the picture are called, without their endings.
-        #[arg(short, long, default_value = "docs/shade_types")]
+        #[arg(short, long, default_value = "docs/measured/shade_types")]
         out: PathBuf,
     },
     /// Puts the files of all shares of a frame together: the image that one machine would have made.

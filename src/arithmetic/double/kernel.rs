@@ -32,8 +32,8 @@ const fn constants(c: &Constants<Pair<f64>>) -> Constants<Double> {
     }
 }
 
-/// A power that comes this near to an `f64` is one: c³ of a short c must be met exactly, since it can
-/// be a tie of a shorter format.
+/// A power within 2⁻⁹⁰ of an `f64` is taken to be that: c³ of a c with few digits must come out
+/// exactly, since it can be a tie in a shorter format.
 #[inline]
 fn snapped(x: Double) -> Double {
     if x.lo.abs() < x.hi.abs() * power_of_two(-90) {
@@ -43,8 +43,8 @@ fn snapped(x: Double) -> Double {
     }
 }
 
-/// 1 − (1 − v)ᵐ for small mv, by the binomial series: beside the axis mv itself can be a tie of a
-/// shorter format, and then the sign of what follows decides.
+/// 1 − (1 − v)ᵐ for small mv, by the binomial series: beside the axis mv itself can be a tie in a
+/// shorter format, and then the sign of the rest decides.
 #[inline]
 fn one_minus_power(m: Double, v: Double) -> Double {
     let mut rest = Double::ONE;
@@ -59,7 +59,7 @@ fn one_minus_power(m: Double, v: Double) -> Double {
     let first = m * v;
     let sum = first - first * rest;
     if sum.lo == 0.0 {
-        // Too small to be held; its sign is not.
+        // The rest is too small to be held, but its sign counts.
         let least = sum.hi * power_of_two(-120);
         let lo = if rest.hi > 0.0 {
             -least
@@ -87,7 +87,7 @@ impl Kernel for Double {
     }
     #[inline]
     fn cbrt(self) -> Self {
-        // Below this, trailing words would underflow on the way.
+        // Below this, trailing parts would underflow on the way.
         if self.hi < power_of_two(-500) {
             scaled(
                 root::cbrt(scaled(self, power_of_two(900))),
@@ -180,7 +180,7 @@ impl Kernel for Double {
         } else {
             k * Self::ln_cos(at)
         };
-        // A pair that is no unit vector: the logarithm is −∞, and k tells the sign.
+        // At what is no unit vector the logarithm is −∞, and k tells the sign.
         if product.is_finite() {
             product
         } else if k > Self::ZERO {

@@ -27,8 +27,8 @@ impl Grid {
 
     /// Bits of the number nearest to |x|·2ⁿ, ties to even, for a normal, finite x.hi, not 0.
     ///
-    /// The trailing word only tells on which side of x.hi the value lies, and of all values there none
-    /// that a format has to choose between is nearer than a quarter of x.hi's last place.
+    /// Of x.lo only the sign is read: it tells on which side of x.hi the value lies, and between
+    /// the two lies no number of the format and no midpoint of two.
     pub(crate) fn nearest(&self, x: Double, n: i32) -> u64 {
         let bits = x.hi.abs().to_bits();
         let exponent = (bits >> 52) as i32 - 1023 + n;
@@ -58,8 +58,9 @@ impl Grid {
     }
 }
 
-/// Magnitudes from 2⁻⁹⁰⁰ to 2⁹⁰⁰: no trailing word of theirs, nor of what a formula makes of them on the
-/// way to such a result, is lost below the subnormals or above the largest number.
+/// Magnitudes from 2⁻⁹⁰⁰ to 2⁹⁰⁰: a formula that goes from such numbers to such a result loses no
+/// trailing part of a double-double on the way, neither below the subnormals nor above the largest
+/// number.
 #[inline(always)]
 pub(crate) fn is_moderate(x: f64) -> bool {
     let (low, high) = (power_of_two(-900), power_of_two(900));
@@ -119,7 +120,7 @@ mod tests {
         assert_eq!(Grid::F64.nearest(Double::exact(1.0), -(1 << 26)), 0);
     }
 
-    /// A trailing word decides a tie and nothing else.
+    /// A trailing part decides a tie and nothing else.
     #[test]
     fn the_trailing_word_decides_ties() {
         let lo = power_of_two(-80);

@@ -8,7 +8,7 @@ use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::trig;
-use crate::arithmetic::native::turn::into_quadrant;
+use crate::arithmetic::native::turn::{into_quadrant, nearest_quarter};
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
@@ -122,8 +122,8 @@ impl Kernel for Fast<f32> {
     }
     #[inline(always)]
     fn at_turn(u: Self) -> CosSin<Self> {
-        let quadrant = (u.0 * 4.0 + 0.5) as u32;
-        Self::at_quadrant(quadrant, Fast(u.0 - quadrant as f32 * 0.25))
+        let (quadrant, x) = nearest_quarter(u.0);
+        Self::at_quadrant(quadrant, Fast(x))
     }
     #[inline(always)]
     fn half_turn(p: Self) -> CosSin<Self> {

@@ -3,7 +3,6 @@
 
 use super::pair::Pair;
 use super::table::{Series, Table};
-use crate::Moments;
 use crate::arithmetic::constants::Constants;
 
 pub(crate) const CONSTANTS: Constants<Pair<f32>> = Constants {
@@ -80,48 +79,6 @@ pub(crate) const CONSTANTS: Constants<Pair<f32>> = Constants {
 };
 
 pub(crate) const TABLE: Table<f32> = Table {
-    disk_moments: Moments {
-        mean_cos: 0.84882635,
-        var_cos: 0.029493805,
-        mean_theta: 0.0,
-        var_theta: 0.32246703,
-        entropy: 0.8378771,
-    },
-    circle_shell_moments: Moments {
-        mean_cos: 0.7853982,
-        var_cos: 0.049816392,
-        mean_theta: 0.0,
-        var_theta: 0.4674011,
-        entropy: 1.0,
-    },
-    circle_arc_moments: Moments {
-        mean_cos: 0.63661975,
-        var_cos: 0.09471527,
-        mean_theta: 0.0,
-        var_theta: 0.822467,
-        entropy: 1.1447299,
-    },
-    ball_moments: Moments {
-        mean_cos: 0.8,
-        var_cos: 0.026666667,
-        mean_theta: 0.5890486,
-        var_theta: 0.07829713,
-        entropy: 1.2015827,
-    },
-    sphere_shell_moments: Moments {
-        mean_cos: 0.75,
-        var_cos: 0.0375,
-        mean_theta: 0.6666667,
-        var_theta: 0.0943951,
-        entropy: 1.4059315,
-    },
-    lambert_moments: Moments {
-        mean_cos: 0.6666667,
-        var_cos: 0.055555556,
-        mean_theta: 0.7853982,
-        var_theta: 0.11685027,
-        entropy: 1.6447299,
-    },
     // (sin x - x) / x^3 in x^2, |x| <= 0.9; relative error 2^-25.0
     sin: &[-0.16666667, 0.008333379, -0.00019851352, 2.8005945e-6],
     // (cos x - 1 + x^2 / 2) / x^4 in x^2, |x| <= 0.9; relative error 2^-22.68

@@ -3,7 +3,6 @@
 
 use super::pair::Pair;
 use super::table::{Series, Table};
-use crate::Moments;
 use crate::arithmetic::constants::Constants;
 
 pub(crate) const CONSTANTS: Constants<Pair<f64>> = Constants {
@@ -80,48 +79,6 @@ pub(crate) const CONSTANTS: Constants<Pair<f64>> = Constants {
 };
 
 pub(crate) const TABLE: Table<f64> = Table {
-    disk_moments: Moments {
-        mean_cos: 0.8488263631567752,
-        var_cos: 0.029493805210042513,
-        mean_theta: 0.0,
-        var_theta: 0.3224670334241132,
-        entropy: 0.8378770664093455,
-    },
-    circle_shell_moments: Moments {
-        mean_cos: 0.7853981633974483,
-        var_cos: 0.049816391598581755,
-        mean_theta: 0.0,
-        var_theta: 0.46740110027233966,
-        entropy: 1.0,
-    },
-    circle_arc_moments: Moments {
-        mean_cos: 0.6366197723675814,
-        var_cos: 0.09471526543064891,
-        mean_theta: 0.0,
-        var_theta: 0.8224670334241132,
-        entropy: 1.1447298858494002,
-    },
-    ball_moments: Moments {
-        mean_cos: 0.8,
-        var_cos: 0.02666666666666667,
-        mean_theta: 0.5890486225480862,
-        var_theta: 0.07829713287632961,
-        entropy: 1.2015827052894548,
-    },
-    sphere_shell_moments: Moments {
-        mean_cos: 0.75,
-        var_cos: 0.0375,
-        mean_theta: 0.6666666666666666,
-        var_theta: 0.0943951023931955,
-        entropy: 1.4059314444079025,
-    },
-    lambert_moments: Moments {
-        mean_cos: 0.6666666666666666,
-        var_cos: 0.05555555555555555,
-        mean_theta: 0.7853981633974483,
-        var_theta: 0.11685027506808492,
-        entropy: 1.6447298858494002,
-    },
     // (sin x - x) / x^3 in x^2, |x| <= 0.9; relative error 2^-54.0
     sin: &[
         -0.16666666666666666,

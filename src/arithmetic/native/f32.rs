@@ -77,6 +77,11 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn sqrt(self) -> f32 {
+        // The same bits: a root is rounded once. libm's is inline assembly on some targets, through
+        // which no loop becomes vectors.
+        #[cfg(feature = "std")]
+        return f32::sqrt(self);
+        #[cfg(not(feature = "std"))]
         libm::sqrtf(self)
     }
 }
@@ -85,6 +90,7 @@ impl Float for f32 {
     const NEGLIGIBLE: f32 = power_of_two(-18);
     const ROOT_UP: f32 = power_of_two(24);
     const ROOT_DOWN: f32 = power_of_two(-12);
+    const COUNTS_QUARTERS: f32 = power_of_two(21);
     const CBRT_UP: f32 = power_of_two(60);
     const CBRT_DOWN: f32 = power_of_two(-20);
     const CBRT_STEPS: usize = 0;
@@ -92,6 +98,11 @@ impl Float for f32 {
     const CBRT_SECOND: f32 = 2.0 / 9.0;
     const CBRT_FOURTH: f32 = 14.0 / 81.0;
     const CBRT_RAISE: f32 = 1.0 + power_of_two(-12);
+
+    #[inline(always)]
+    fn last_bits(self) -> u32 {
+        self.to_bits()
+    }
 
     #[inline(always)]
     fn to_u32(self) -> u32 {
@@ -154,7 +165,8 @@ impl Float for f32 {
 
     #[inline(always)]
     fn cbrt_recip_guess(self) -> f32 {
-        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the
+        // first step.
         f32::from_bits(0x54A2_1000_u32.wrapping_sub(self.to_bits() / 3))
     }
 }

@@ -70,6 +70,9 @@ impl Scalar for f64 {
 
     #[inline(always)]
     fn sqrt(self) -> f64 {
+        #[cfg(feature = "std")]
+        return f64::sqrt(self);
+        #[cfg(not(feature = "std"))]
         libm::sqrt(self)
     }
 }
@@ -78,6 +81,7 @@ impl Float for f64 {
     const NEGLIGIBLE: f64 = power_of_two(-34);
     const ROOT_UP: f64 = power_of_two(54);
     const ROOT_DOWN: f64 = power_of_two(-27);
+    const COUNTS_QUARTERS: f64 = power_of_two(50);
     const CBRT_UP: f64 = power_of_two(300);
     const CBRT_DOWN: f64 = power_of_two(-100);
     const CBRT_STEPS: usize = 1;
@@ -85,6 +89,11 @@ impl Float for f64 {
     const CBRT_SECOND: f64 = 2.0 / 9.0;
     const CBRT_FOURTH: f64 = 14.0 / 81.0;
     const CBRT_RAISE: f64 = 1.0 + power_of_two(-26);
+
+    #[inline(always)]
+    fn last_bits(self) -> u32 {
+        self.to_bits() as u32
+    }
 
     #[inline(always)]
     fn to_u32(self) -> u32 {
@@ -147,7 +156,8 @@ impl Float for f64 {
 
     #[inline(always)]
     fn cbrt_recip_guess(self) -> f64 {
-        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the
+        // first step.
         f64::from_bits(0x553E_ECAA_AAAA_A800_u64.wrapping_sub(self.to_bits() / 3))
     }
 }

@@ -18,9 +18,14 @@ pub trait Float: Scalar {
     const CBRT_THIRD: Self;
     const CBRT_SECOND: Self;
     const CBRT_FOURTH: Self;
-    /// 1 and half the last place that `leading_half` keeps of it.
+    /// 1 plus half the last place that `leading_half` keeps of 1.
     const CBRT_RAISE: Self;
 
+    /// 2ⁿ whose last place is ¼.
+    const COUNTS_QUARTERS: Self;
+
+    /// The lower bits of the pattern.
+    fn last_bits(self) -> u32;
     /// Truncated; for 0 ≤ x < 2³¹.
     fn to_u32(self) -> u32;
     fn to_i32(self) -> i32;

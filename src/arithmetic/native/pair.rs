@@ -15,6 +15,11 @@ impl<T: Float> Pair<T> {
         Pair { hi, lo: T::ZERO }
     }
 
+    /// a/b.
+    pub(crate) fn ratio(a: i16, b: i16) -> Self {
+        Pair::exact(T::int(a)).div(Pair::exact(T::int(b)))
+    }
+
     /// a + b without error, for |a| ≥ |b| or a = 0.
     #[inline(always)]
     pub(crate) fn fast_two_sum(a: T, b: T) -> Self {

@@ -13,7 +13,8 @@ pub(crate) fn horner<T: Native>(x: T, c: &[T]) -> T {
     }
 }
 
-/// Σ cᵢ xⁱ for a long series: every fourth term by itself, so that the sums do not wait for each other.
+/// Σ cᵢ xⁱ for a long series: every fourth term by itself, so that the sums do not wait for each
+/// other.
 #[inline(always)]
 pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
     let x2 = x * x;
@@ -26,7 +27,7 @@ pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
 }
 
 /// Σ cᵢ xⁱ with the leading terms summed as pairs.
-#[inline]
+#[inline(always)]
 pub(crate) fn horner_pair<T: Native>(x: Pair<T>, c: &Series<T>) -> Pair<T> {
     let tail = Pair::exact(horner(x.hi, c.tail));
     c.head.iter().rev().fold(tail, |sum, &k| sum.mul(x).add(k))

@@ -1,7 +1,6 @@
 //! The coefficients that a format brings to the kernels.
 
 use super::pair::Pair;
-use crate::Moments;
 
 /// A power series whose leading coefficients are kept as pairs.
 pub(crate) struct Series<T: 'static> {
@@ -9,14 +8,9 @@ pub(crate) struct Series<T: 'static> {
     pub(crate) tail: &'static [T],
 }
 
-/// Moments and coefficients of a format; `table_f32.rs` and `table_f64.rs` say what each approximates.
+/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each
+/// approximates.
 pub struct Table<T: 'static> {
-    pub(crate) disk_moments: Moments<T>,
-    pub(crate) circle_shell_moments: Moments<T>,
-    pub(crate) circle_arc_moments: Moments<T>,
-    pub(crate) ball_moments: Moments<T>,
-    pub(crate) sphere_shell_moments: Moments<T>,
-    pub(crate) lambert_moments: Moments<T>,
     pub(crate) sin: &'static [T],
     pub(crate) cos: &'static [T],
     pub(crate) sin_turn: &'static [T],

@@ -18,7 +18,7 @@ fn swap_if<T>(at: CosSin<T>, swap: bool) -> CosSin<T> {
 }
 
 /// ln cos θ. Near the axis it is read from the sine: ln of a cosine near 1 has few digits.
-#[inline]
+#[inline(always)]
 pub(crate) fn ln_cos<T: Native>(at: CosSin<Pair<T>>) -> T {
     if at.cos.hi < at.sin.hi {
         at.cos.value().ln()
@@ -43,9 +43,9 @@ fn fold<T: Native>(theta: T) -> (Pair<T>, bool) {
     (if far { from_end(a) } else { Pair::exact(a) }, far)
 }
 
-/// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the pdf of
-/// `CircleShell`, whose row in the accuracy table is its error and one rounding.
-#[inline]
+/// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the
+/// pdf of `CircleShell`, whose row in the accuracy table is its error and one rounding.
+#[inline(always)]
 pub(crate) fn small<T: Native>(x: Pair<T>) -> CosSin<Pair<T>> {
     // Too small to count is 0: subnormal products stall some processors a hundredfold.
     let v = x.hi * x.hi;
@@ -65,14 +65,14 @@ pub(crate) fn small<T: Native>(x: Pair<T>) -> CosSin<Pair<T>> {
 }
 
 /// (cos θ, |sin θ|) for |θ| ≤ π/2.
-#[inline]
+#[inline(always)]
 pub(crate) fn at_angle<T: Native>(theta: T) -> CosSin<Pair<T>> {
     let (x, far) = fold(theta);
     swap_if(small(x), far)
 }
 
 /// As [`at_angle`], to about 2⁻⁶⁴ (f64) or 2⁻³³ (f32) relative.
-#[inline]
+#[inline(always)]
 pub(crate) fn at_angle_fine<T: Native>(theta: T) -> CosSin<Pair<T>> {
     let (x, far) = fold(theta);
     let v = x.mul(x);

@@ -1,5 +1,5 @@
-//! The kernels of [`Scaled`]: double-double's where its exponents reach, else the leading term, which is
-//! then exact to all digits.
+//! The kernels of [`Scaled`]: those of double-double where its exponents reach, else the leading
+//! term of the series, which there has all digits.
 
 use super::{DIGITS, Scaled};
 use crate::arithmetic::constants::Constants;
@@ -170,7 +170,7 @@ impl Kernel for Scaled {
     }
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
         let product = k * Self::ln_cos(at);
-        // A pair that is no unit vector: the logarithm is −∞, and k tells the sign.
+        // At what is no unit vector the logarithm is −∞, and k tells the sign.
         if product.is_finite() {
             product
         } else if k > Self::ZERO {

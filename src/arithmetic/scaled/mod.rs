@@ -1,5 +1,5 @@
-//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing words
-//! of a plain double-double would underflow.
+//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing
+//! parts of a plain double-double would underflow.
 
 mod kernel;
 #[cfg(test)]
@@ -19,10 +19,10 @@ pub struct Scaled {
     pub(crate) exponent: i32,
 }
 
-/// Beyond 2^±this a number is ∞ or 0. Far beyond what any formula reaches before its result is.
+/// Beyond 2^±this a number is ∞ or 0: farther than any formula goes on its way to a finite result.
 const MOST: i32 = 1 << 26;
 
-/// Below 2 to the minus this, a summand counts for nothing beside 1.
+/// 1 + x is 1 for x below 2 to the minus this.
 const DIGITS: i32 = 120;
 
 impl Scaled {
@@ -38,7 +38,8 @@ impl Scaled {
                 exponent: 0,
             };
         }
-        // At the ends of f64's exponents a step towards the middle, since 2⁻ᵉ below must be a normal number.
+        // At the ends of f64's exponents a step towards the middle, since 2⁻ᵉ below must be a
+        // normal number.
         if e > 900 || e < -900 {
             let step = if e > 0 { -200 } else { 200 };
             let power = power_of_two(step);

@@ -1,5 +1,5 @@
-//! The kernels of `Scaled` against those of plain double-double, where both reach: above all around the
-//! exponents from which the leading term is taken.
+//! The kernels of `Scaled` against those of plain double-double, where both reach: above all
+//! around the exponents from which the leading term is taken.
 
 extern crate std;
 
@@ -99,7 +99,7 @@ fn the_ends_are_total() {
     assert_eq!(one / square, zero);
 }
 
-/// Leading words that cancel leave the trailing ones.
+/// Leading parts that cancel leave the trailing ones.
 #[test]
 fn a_difference_of_trailing_words_is_not_lost() {
     let small = power_of_two(-70);

@@ -11,6 +11,7 @@
 #[cfg(feature = "std")]
 pub mod accuracy;
 mod answer;
+pub mod catalogue;
 mod directions;
 #[cfg(feature = "peers")]
 pub mod formulas;
@@ -37,12 +38,15 @@ pub mod study;
 mod subject;
 
 pub use answer::{Answer, answer};
+pub use catalogue::{
+    EXPONENT, Id, LawVisitor, Named, NumberVisitor, PlanarLaw, SpatialLaw, TangentLaw,
+};
 pub use directions::directions;
 pub use hash::Hash;
-pub use integers::{Integers, integers, power};
+pub use integers::{Integers, integers};
 pub use integers16::{Integers16, integers16};
-pub use laws::{EXPONENT, LAWS, Laws, Named, Visitor};
-pub use number::Number;
+pub use laws::{Laws, Visitor};
+pub use number::{Drawn, Format, Number};
 pub use planar::planar;
 pub use spatial::spatial;
 pub use stream::{CHECKPOINTS, Stream};

@@ -15,7 +15,7 @@ pub fn spatial<L: Spatial<T> + Named, T: Number>(law: L) -> impl Subject {
 }
 
 impl<L: Spatial<T> + Named, T: Number> Subject for InSpace<L, T> {
-    const LAW: &'static str = L::NAME;
+    const LAW: &'static str = L::ID.name();
     const NUMBER: &'static str = T::NAME;
 
     #[inline]

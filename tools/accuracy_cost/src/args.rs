@@ -16,7 +16,7 @@ pub(crate) struct Args {
     pub(crate) samples: u64,
 
     /// Folder for the tables and plots; other files in it are left alone.
-    #[arg(long, default_value = "docs")]
+    #[arg(long, default_value = "docs/measured")]
     pub(crate) out: PathBuf,
 
     /// Take the errors of our operations from accuracy_errors.json in the folder: measure costs alone.

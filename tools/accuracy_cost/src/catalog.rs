@@ -3,35 +3,40 @@
 use crate::contender::{Contender, Measure, PARTS, plain};
 use crate::peers;
 use coslobe::rand_core::Rng;
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Precise,
-    Spatial, SphereShell, uniform,
-};
-use kit::accuracy::format::Format;
-use kit::accuracy::reference::Id;
-use kit::accuracy::values::Tier;
+use coslobe::{CosSin, Law, Planar, Spatial, uniform};
+use kit::catalogue::{every_law, every_number};
 use kit::study::cell::{Cell, Draw, generator, generator_cells};
 use kit::study::errors;
 use kit::study::inputs::{Uniforms, angles, pairs, probabilities};
+use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use std::hint::black_box;
 use std::marker::PhantomData;
 
 /// Exponent of the power law that is measured.
 pub(crate) const EXPONENT: f64 = 20.0;
 
-/// The number types that are measured: a new one is one line here.
-fn types(list: &mut Vec<Contender>) {
-    number::<f32>(list);
-    number::<f64>(list);
-    number::<Precise<f32>>(list);
-    number::<Precise<f64>>(list);
-    number::<Fast<f32>>(list);
+/// Every law in every number type.
+struct Ours<'a>(&'a mut Vec<Contender>);
+
+impl NumberVisitor for Ours<'_> {
+    fn number<T: Number>(&mut self) {
+        every_law::<T>(self, &[EXPONENT]);
+    }
+}
+
+impl<T: Number> LawVisitor<T> for Ours<'_> {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        planar::<T, _>(self.0, id, law);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        spatial::<T, _>(self.0, id, law);
+    }
 }
 
 /// Everything that is measured, always in the same order.
 fn all() -> Vec<Contender> {
     let mut list = Vec::new();
-    types(&mut list);
+    every_number(&mut Ours(&mut list));
     peers::all(&mut list);
     list
 }
@@ -61,29 +66,14 @@ impl Counted {
     }
 }
 
-fn number<T: Tier>(list: &mut Vec<Contender>) {
-    planar::<T, _>(list, Id::Disk, Disk);
-    planar::<T, _>(list, Id::CircleShell, CircleShell);
-    planar::<T, _>(list, Id::CircleArc, CircleArc);
-    spatial::<T, _>(list, Id::Ball, Ball);
-    spatial::<T, _>(list, Id::SphereShell, SphereShell);
-    spatial::<T, _>(list, Id::Lambert, Lambert);
-    let power = CosPower::new(of::<T>(EXPONENT)).expect("a valid exponent");
-    spatial::<T, _>(list, Id::CosPower(EXPONENT), power);
-}
-
-fn of<T: Tier>(x: f64) -> T {
-    T::of(T::Raw::round(x))
-}
-
-fn typed<T: Tier>(at: CosSin<T::Raw>) -> CosSin<T> {
+fn typed<T: Number>(at: CosSin<T::Raw>) -> CosSin<T> {
     CosSin {
-        cos: T::of(at.cos),
-        sin: T::of(at.sin),
+        cos: T::of_raw(at.cos),
+        sin: T::of_raw(at.sin),
     }
 }
 
-fn add<T: Tier>(
+fn add<T: Number>(
     list: &mut Vec<Contender>,
     law: Id,
     operation: &'static str,
@@ -103,27 +93,33 @@ fn add<T: Tier>(
     });
 }
 
-fn law<T: Tier, L: Law<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, law: L) {
+fn law<T: Number, L: Law<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, law: L) {
     let (theta, at) = (angles::<T::Raw>(id.planar()), pairs::<T::Raw>(id.planar()));
     let p = probabilities::<T::Raw>();
     let mut pure = |name, cell| add::<T>(list, id, name, cell, None);
-    pure("pdf", Cell::of(&theta, move |x| law.pdf(T::of(x))));
-    pure("ln_pdf", Cell::of(&theta, move |x| law.ln_pdf(T::of(x))));
-    pure("cdf", Cell::of(&theta, move |x| law.cdf(T::of(x))));
-    pure("sf", Cell::of(&theta, move |x| law.sf(T::of(x))));
+    pure("pdf", Cell::of(&theta, move |x| law.pdf(T::of_raw(x))));
+    pure(
+        "ln_pdf",
+        Cell::of(&theta, move |x| law.ln_pdf(T::of_raw(x))),
+    );
+    pure("cdf", Cell::of(&theta, move |x| law.cdf(T::of_raw(x))));
+    pure("sf", Cell::of(&theta, move |x| law.sf(T::of_raw(x))));
     pure("density", Cell::of(&at, move |x| law.density(typed(x))));
     let weight = Cell::of(&at, move |x| law.lambert_weight(typed(x)));
     pure("lambert_weight", weight);
     pure("unwarp", Cell::of(&at, move |x| law.unwarp(typed(x))));
     pure("unwarp_sf", Cell::of(&at, move |x| law.unwarp_sf(typed(x))));
-    pure("warp", Cell::of(&p, move |x| law.warp(T::of(x))));
-    pure("warp_sf", Cell::of(&p, move |x| law.warp_sf(T::of(x))));
-    pure("quantile", Cell::of(&p, move |x| law.quantile(T::of(x))));
-    pure("isf", Cell::of(&p, move |x| law.isf(T::of(x))));
+    pure("warp", Cell::of(&p, move |x| law.warp(T::of_raw(x))));
+    pure("warp_sf", Cell::of(&p, move |x| law.warp_sf(T::of_raw(x))));
+    pure(
+        "quantile",
+        Cell::of(&p, move |x| law.quantile(T::of_raw(x))),
+    );
+    pure("isf", Cell::of(&p, move |x| law.isf(T::of_raw(x))));
 }
 
 /// Errors of the directions that a sampler makes of the uniforms that it draws.
-fn directions<T: Tier, L: Law<T> + Copy + 'static, const N: usize>(
+fn directions<T: Number, L: Law<T> + Copy + 'static, const N: usize>(
     id: Id,
     law: L,
     direction: impl Fn(CosSin<T>) -> [T; N] + 'static,
@@ -134,23 +130,23 @@ fn directions<T: Tier, L: Law<T> + Copy + 'static, const N: usize>(
             id,
             from,
             n,
-            |p| raws(law.warp(T::of(p))),
-            |p| raws(law.warp_sf(T::of(p))),
+            |p| raws(law.warp(T::of_raw(p))),
+            |p| raws(law.warp_sf(T::of_raw(p))),
         )
     }))
 }
 
-fn planar<T: Tier, L: Planar<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
+fn planar<T: Number, L: Planar<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
     law::<T, L>(list, id, l);
     let measure = directions(id, l, |at: CosSin<T>| [at.sin, at.cos]);
     let cell = Cell::drawing(InPlane(l, PhantomData::<T>));
     add::<T>(list, id, "sample", cell, measure);
 }
 
-fn spatial<T: Tier, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
+fn spatial<T: Number, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
     law::<T, L>(list, id, l);
     let theta = angles::<T::Raw>(false);
-    let solid = Cell::of(&theta, move |x| l.pdf_solid_angle(T::of(x)));
+    let solid = Cell::of(&theta, move |x| l.pdf_solid_angle(T::of_raw(x)));
     add::<T>(list, id, "pdf_solid_angle", solid, None);
     // Some azimuth: sin θ is judged as the direction holds it.
     let azimuth = uniform::azimuth::<T, _>(&mut generator());
@@ -161,7 +157,7 @@ fn spatial<T: Tier, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, i
     add::<T>(list, id, "sample", cell, measure);
     let around = Around {
         law: l,
-        normal: [0.48, 0.6, 0.64].map(of::<T>),
+        normal: [0.48, 0.6, 0.64].map(T::of),
     };
     add::<T>(list, id, "sample_around", Cell::drawing(around), None);
     add::<T>(
@@ -186,7 +182,7 @@ struct Around<T, L> {
 #[derive(Clone, Copy)]
 struct Parts<T>(PhantomData<T>);
 
-impl<T: Tier> Draw for Parts<T> {
+impl<T: Number> Draw for Parts<T> {
     type Out = [T; 4];
     #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 4] {
@@ -195,39 +191,39 @@ impl<T: Tier> Draw for Parts<T> {
         [tails.lower(), tails.upper(), azimuth.cos, azimuth.sin]
     }
     fn cos(out: &[T; 4]) -> f64 {
-        out[1].raw().wide()
+        out[1].wide()
     }
 }
 
-impl<T: Tier, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {
+impl<T: Number, L: Planar<T> + Copy + 'static> Draw for InPlane<T, L> {
     type Out = [T; 2];
     #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
         self.0.sample(rng)
     }
     fn cos(out: &[T; 2]) -> f64 {
-        out[1].raw().wide()
+        out[1].wide()
     }
 }
 
-impl<T: Tier, L: Spatial<T> + Copy + 'static> Draw for InSpace<T, L> {
+impl<T: Number, L: Spatial<T> + Copy + 'static> Draw for InSpace<T, L> {
     type Out = [T; 3];
     #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         self.0.sample(rng)
     }
     fn cos(out: &[T; 3]) -> f64 {
-        out[1].raw().wide()
+        out[1].wide()
     }
 }
 
-impl<T: Tier, L: Spatial<T> + Copy + 'static> Draw for Around<T, L> {
+impl<T: Number, L: Spatial<T> + Copy + 'static> Draw for Around<T, L> {
     type Out = [T; 3];
     #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         self.law.sample_around(black_box(self.normal), rng)
     }
     fn cos(out: &[T; 3]) -> f64 {
-        out[1].raw().wide()
+        out[1].wide()
     }
 }

@@ -2,7 +2,6 @@
 //! law.
 
 use crate::catalog::Counted;
-use crate::contender::law_name;
 use crate::study::bar;
 use kit::study::count::{Missing, counts};
 use std::error::Error;
@@ -24,7 +23,7 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
         let (want, deviation) = c.expected_cos();
         let off = (mean - want).abs() / (deviation / (c.cell.calls as f64).sqrt());
         if off > SIGMAS {
-            let law = law_name(c.law);
+            let law = c.law.to_string();
             wrong.push(format!(
                 "{law}, {}: mean cos θ is {mean:.4}; expected {want:.4} ({off:.1} standard errors)",
                 c.name
@@ -39,7 +38,7 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
         Ok((first, second)) => {
             for (c, (a, b)) in list.iter().zip(first.iter().zip(&second)) {
                 if a != b {
-                    let law = law_name(c.law);
+                    let law = c.law.to_string();
                     wrong.push(format!(
                         "{law}, {}, {}: {a} instructions, then {b}; expected the same",
                         c.operation, c.name

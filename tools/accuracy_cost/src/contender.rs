@@ -1,11 +1,9 @@
 //! Whatever is measured: an operation of a law, ours in a number type or a peer's.
 
-use crate::catalog::EXPONENT;
-use coslobe::{Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Law, SphereShell};
-use kit::accuracy::reference::Id;
 use kit::study::cell::Cell;
 use kit::study::errors::Errors;
 use kit::study::inputs::Uniforms;
+use kit::{Id, catalogue};
 
 /// What a `sample` in space cannot do without: its uniform and its azimuth, with no law between them.
 pub(crate) const PARTS: &str = "uniform and azimuth";
@@ -41,16 +39,7 @@ pub(crate) struct Contender {
 impl Contender {
     /// Mean and standard deviation of cos θ that the law has.
     pub(crate) fn expected_cos(&self) -> (f64, f64) {
-        let power = CosPower::new(EXPONENT).expect("a valid exponent");
-        let moments = match self.law {
-            Id::Disk => Law::<f64>::moments(&Disk),
-            Id::CircleShell => CircleShell.moments(),
-            Id::CircleArc => CircleArc.moments(),
-            Id::Ball => Ball.moments(),
-            Id::SphereShell => SphereShell.moments(),
-            Id::Lambert => Lambert.moments(),
-            Id::CosPower(_) => power.moments(),
-        };
+        let moments = catalogue::moments::<f64>(self.law).expect("a law");
         (moments.mean_cos, moments.var_cos.sqrt())
     }
 }
@@ -58,12 +47,4 @@ impl Contender {
 /// The plain type of a number type's format.
 pub(crate) fn plain(name: &str) -> &'static str {
     if name.contains("f64") { "f64" } else { "f32" }
-}
-
-/// A law's name as the tables have it.
-pub(crate) fn law_name(law: Id) -> String {
-    match law {
-        Id::CosPower(k) => format!("CosPower({k})"),
-        id => id.name().to_owned(),
-    }
 }

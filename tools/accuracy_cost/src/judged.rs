@@ -1,6 +1,6 @@
 //! The errors of our own operations: measured as the tests measure them, or read from a file.
 
-use kit::accuracy::format::Format;
+use kit::Number;
 use kit::accuracy::monotone;
 use kit::accuracy::reference::Id;
 use kit::accuracy::rows::{Key, Row, keys, measure_all};
@@ -53,7 +53,7 @@ pub(crate) fn quantiles(stride: u64, samples: u64, step: impl Fn()) -> Vec<Quant
         });
     };
     for s in promising::<f32>() {
-        let inputs = f32::round(1.0).bits() / stride;
+        let inputs = f32::of(1.0).bits() / stride;
         let found = monotone::strided(&s, stride);
         push(s.tier, s.id, inputs, stride == 1, found);
     }

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
-//! instructions (`apt install valgrind`); `docs/scipy.csv` comes from `tools/scipy_peer.py`.
+//! instructions (`apt install valgrind`); `docs/measured/scipy.csv` comes from `tools/scipy_peer.py`.
 
 mod args;
 mod catalog;

@@ -78,8 +78,8 @@ fn head(out: &mut String, about: &About) -> std::fmt::Result {
         out,
         "# What accuracy costs\n\n\
          Written by `cargo run --release -p accuracy_cost`; do not edit. The same rows for a machine are in\n\
-         `docs/accuracy_cost.csv`, the errors at full length in `docs/accuracy_errors.json`, the pictures in\n\
-         `docs/accuracy_cost.svg` (error against instructions) and `docs/stability.svg` (error against u).\n\n\
+         `docs/measured/accuracy_cost.csv`, the errors at full length in `docs/measured/accuracy_errors.json`, the pictures in\n\
+         `docs/measured/accuracy_cost.svg` (error against instructions) and `docs/measured/stability.svg` (error against u).\n\n\
          Instructions and times on {}; compiled by {}, {}; counted by {}.\n\n\
          ## The number types\n\n\
          Errors: of any operation of the six fixed laws, anywhere in its domain; *relative* is the largest of\n\

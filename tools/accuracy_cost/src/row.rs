@@ -1,6 +1,6 @@
 //! The rows of the table, and `accuracy_cost.csv` that holds them.
 
-use crate::contender::{Contender, law_name};
+use crate::contender::Contender;
 use kit::accuracy::rows;
 use kit::study::errors::Errors;
 use serde::Serialize;
@@ -42,7 +42,7 @@ impl Row {
         let words = c.cell.words;
         let [own, single, plain] = times;
         Row {
-            law: law_name(c.law),
+            law: c.law.to_string(),
             operation: c.operation.to_owned(),
             name: c.name.clone(),
             ours: c.ours,

@@ -1,6 +1,6 @@
 //! The second plot: relative error against log₁₀ u.
 
-use crate::contender::{Contender, law_name};
+use crate::contender::Contender;
 use crate::scipy::{OURS, Scipy};
 use kit::accuracy::rows::{self, Row};
 use kit::study::errors::Errors;
@@ -49,8 +49,8 @@ pub(crate) fn draw(
 ) -> Result<String, Box<dyn Error>> {
     let mut laws: Vec<String> = Vec::new();
     for c in list {
-        if !laws.contains(&law_name(c.law)) {
-            laws.push(law_name(c.law));
+        if !laws.contains(&c.law.to_string()) {
+            laws.push(c.law.to_string());
         }
     }
     let rows = laws.len().div_ceil(COLUMNS);
@@ -87,7 +87,7 @@ fn curves(
     let (mut own, mut theirs) = (OURS_COLORS.iter().cycle(), PEER_COLORS.iter().cycle());
     let mut curves = Vec::new();
     for (c, errors) in list.iter().zip(everywhere) {
-        if law_name(c.law) != law || c.operation != "sample" {
+        if c.law.to_string() != law || c.operation != "sample" {
             continue;
         }
         let points = match errors {

@@ -1,6 +1,6 @@
 //! Time, as ratios alone: all contenders for an operation in interleaved rounds on one core.
 
-use crate::contender::{Contender, law_name, whole};
+use crate::contender::{Contender, whole};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
@@ -13,7 +13,7 @@ const SLICE: Duration = Duration::from_micros(300);
 pub(crate) fn times(contenders: &mut [Contender], step: impl Fn()) -> Vec<f64> {
     let mut groups: BTreeMap<(String, &str), Vec<usize>> = BTreeMap::new();
     for (i, c) in contenders.iter().enumerate() {
-        let key = (law_name(c.law), whole(c.operation));
+        let key = (c.law.to_string(), whole(c.operation));
         groups.entry(key).or_default().push(i);
     }
     let mut best = vec![f64::INFINITY; contenders.len()];

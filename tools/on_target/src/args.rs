@@ -31,7 +31,7 @@ pub(crate) enum Task {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Shade {
-    /// Writes docs/shade_firmware.md instead of comparing with it.
+    /// Writes docs/measured/shade_firmware.md instead of comparing with it.
     #[arg(long)]
     pub(crate) write: bool,
 }
@@ -70,7 +70,7 @@ pub(crate) struct Hashes {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Cost {
     /// Folder for the tables and the plot; `accuracy_cost.csv` in it has the errors.
-    #[arg(long, default_value = "docs")]
+    #[arg(long, default_value = "docs/measured")]
     pub(crate) out: PathBuf,
 
     /// Writes nothing: some cells twice, expected to be equal and as the folder's table has them.

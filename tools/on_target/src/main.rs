@@ -9,7 +9,7 @@
 //! cargo run --release -p on_target -- links           # proofs at link time
 //! cargo run --release -p on_target -- c               # the C program
 //! cargo run --release -p on_target -- self-test       # the power-on check, with planted faults
-//! cargo run --release -p on_target -- cost            # instructions, flash, stack: docs/firmware_cost.*
+//! cargo run --release -p on_target -- cost            # instructions, flash, stack: docs/measured/firmware_cost.*
 //! cargo run --release -p on_target -- cost --check    # a few of them twice, against the table
 //! cargo run --release -p on_target -- shade           # small scenes rendered on a Cortex-M4F
 //! ```

@@ -54,7 +54,7 @@ fn board_outcomes(board: &Board, bar: &ProgressBar) -> Result<Vec<Result<()>>> {
     board.has_emulator()?;
     let images = TYPES
         .iter()
-        .flat_map(|number| laws(number).iter().map(move |law| (*law, *number)));
+        .flat_map(|number| laws(number).into_iter().map(move |law| (law, *number)));
     Ok(images
         .map(|(law, number)| {
             let outcome = image(board, law, number);

@@ -80,19 +80,20 @@ fn one(board: &Board, image: &Path, case: &str) -> Result<String> {
 
 const COST: &str = "instructions a sample: ";
 
-/// The cost, if the table in docs/self_test.md has it to a tenth: it moves with the compiler.
+/// The cost, if the table in docs/measured/self_test.md has it to a tenth: it moves with the compiler.
 fn documented(board: &Board, cost: &str) -> Result<String> {
-    let page = include_str!("../../../docs/self_test.md");
+    let page = include_str!("../../../docs/measured/self_test.md");
     let row = format!("| {} | ", board.name);
     let cell = page.lines().find_map(|line| line.strip_prefix(&row));
     let cell = cell.map_or("", |cell| cell.trim_end_matches(" |"));
     let (cost, committed): (f64, f64) = (
         cost.parse().while_("reading the cost")?,
-        cell.parse().while_("docs/self_test.md: the row's cost")?,
+        cell.parse()
+            .while_("docs/measured/self_test.md: the row's cost")?,
     );
     if (cost / committed - 1.0).abs() > 0.1 {
         return Err(Failure(format!(
-            "{cost} instructions a sample, docs/self_test.md says {committed}"
+            "{cost} instructions a sample, docs/measured/self_test.md says {committed}"
         )));
     }
     Ok(format!("{cost} instructions a sample, as documented"))

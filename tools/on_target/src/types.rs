@@ -1,6 +1,6 @@
 //! The number types.
 
-use kit::LAWS;
+use kit::Id;
 
 /// As the firmware's build scripts and the documentation name them.
 pub(crate) const TYPES: [&str; 7] = [
@@ -18,7 +18,12 @@ pub(crate) const FIXED: &str = "Fixed";
 pub(crate) const FIXED16: &str = "Fixed16";
 
 /// The laws in a type.
-pub(crate) fn laws(number: &str) -> &'static [&'static str] {
+pub(crate) fn laws(number: &str) -> Vec<&'static str> {
     // A real exponent needs more than 16 bits.
-    if number == FIXED16 { &LAWS[..6] } else { &LAWS }
+    let laws: &[Id] = if number == FIXED16 {
+        &Id::FIXED
+    } else {
+        &Id::ALL
+    };
+    laws.iter().map(|law| law.name()).collect()
 }

@@ -3,13 +3,12 @@
 use super::double::Double;
 use super::long::Long;
 use super::wide::Wide;
-use coslobe::Real;
+use crate::Number;
 
-pub trait Format: Real {
+pub trait Format: Number<Raw = Self> {
     type Wide: Wide;
     /// What decides where `Wide` cannot: its digits are more, or its range is.
     type Fine: Wide;
-    const NAME: &'static str;
     /// Significand bits, and the exponent of the least normal number.
     const DIGITS: i32;
     const LEAST: i32;
@@ -21,10 +20,6 @@ pub trait Format: Real {
     /// Bits of the largest angle within the support, and of ½.
     const TOP_ANGLE: u64;
     const HALF_BITS: u64;
-    fn of_bits(bits: u64) -> Self;
-    fn bits(self) -> u64;
-    fn wide(self) -> f64;
-    fn round(x: f64) -> Self;
     /// The nearest numbers to both ends of want ± margin, for `want` away from the least numbers.
     fn bracket(want: Self::Wide, margin: f64) -> (Self, Self);
     /// `got` as `want` is lifted, see `truth`.
@@ -34,7 +29,6 @@ pub trait Format: Real {
 impl Format for f32 {
     type Wide = f64;
     type Fine = Double;
-    const NAME: &'static str = "f32";
     const DIGITS: i32 = 24;
     const LEAST: i32 = -126;
     const MAX_VALUE: f64 = f32::MAX as f64;
@@ -42,18 +36,6 @@ impl Format for f32 {
     const BIN: f64 = 1.0;
     const TOP_ANGLE: u64 = 0x3FC9_0FDA;
     const HALF_BITS: u64 = 0x3F00_0000;
-    fn of_bits(bits: u64) -> f32 {
-        f32::from_bits(bits as u32)
-    }
-    fn bits(self) -> u64 {
-        u64::from(self.to_bits())
-    }
-    fn wide(self) -> f64 {
-        f64::from(self)
-    }
-    fn round(x: f64) -> f32 {
-        x as f32
-    }
     fn bracket(want: f64, margin: f64) -> (f32, f32) {
         ((want - margin) as f32, (want + margin) as f32)
     }
@@ -65,7 +47,6 @@ impl Format for f32 {
 impl Format for f64 {
     type Wide = Double;
     type Fine = Long;
-    const NAME: &'static str = "f64";
     const DIGITS: i32 = 53;
     const LEAST: i32 = -1022;
     const MAX_VALUE: f64 = f64::MAX;
@@ -73,18 +54,6 @@ impl Format for f64 {
     const BIN: f64 = 7.0;
     const TOP_ANGLE: u64 = 0x3FF9_21FB_5444_2D18;
     const HALF_BITS: u64 = 0x3FE0_0000_0000_0000;
-    fn of_bits(bits: u64) -> f64 {
-        f64::from_bits(bits)
-    }
-    fn bits(self) -> u64 {
-        self.to_bits()
-    }
-    fn wide(self) -> f64 {
-        self
-    }
-    fn round(x: f64) -> f64 {
-        x
-    }
     fn bracket(want: Double, margin: f64) -> (f64, f64) {
         let end = |m: f64| Double::sum(want.hi, want.lo + m).hi;
         (end(-margin), end(margin))
@@ -134,7 +103,7 @@ pub fn nearest<T: Format>(x: Double, n: i32) -> T {
     } else if part == 0.0 && x.lo.abs() == unit / 2.0 {
         // Half a unit from an integer: up from odd, down from odd.
         let odd = below % 2.0 != 0.0;
-        return T::round(place(
+        return T::of(place(
             if odd { below + x.lo.signum() } else { below },
             unit,
             n,
@@ -142,7 +111,7 @@ pub fn nearest<T: Format>(x: Double, n: i32) -> T {
     } else {
         part > 0.5
     };
-    T::round(place(below + f64::from(u8::from(up)), unit, n))
+    T::of(place(below + f64::from(u8::from(up)), unit, n))
 }
 
 /// count·unit·2⁻ⁿ, exactly: a number of the format, or beyond its largest.

@@ -27,7 +27,7 @@ pub fn stratified<T: Format>(top: u64, i: u64, n: u64) -> T {
     let largest = T::of_bits(top).wide();
     let x = match kind {
         0 => return T::of_bits((top as f64 * position) as u64),
-        1 => T::round(largest * position),
+        1 => T::of(largest * position),
         // Steps of 1 to 2⁴⁰ (f64) or 2²⁰ (f32) last places below the top.
         _ => return T::of_bits(top - 2f64.powf(position * 0.75 * f64::from(T::DIGITS)) as u64),
     };

@@ -27,7 +27,7 @@ fn backward<T: Format>(s: &Subject<T>, arguments: impl ParallelIterator<Item = u
 
 /// Every `stride`-th p of [0, 1).
 pub fn strided<T: Format>(s: &Subject<T>, stride: u64) -> (u64, u64) {
-    let one = T::round(1.0).bits();
+    let one = T::of(1.0).bits();
     backward(
         s,
         (0..one / stride).into_par_iter().map(move |i| i * stride),
@@ -37,7 +37,7 @@ pub fn strided<T: Format>(s: &Subject<T>, stride: u64) -> (u64, u64) {
 /// Some n stratified p of [0, 1).
 pub fn sampled<T: Format>(s: &Subject<T>, n: u64) -> (u64, u64) {
     let n = n - n % 3;
-    let top = T::round(1.0).bits() - 1;
+    let top = T::of(1.0).bits() - 1;
     backward(
         s,
         (0..n)

@@ -3,55 +3,7 @@
 pub use super::formula::*;
 use super::wide::Wide;
 
-/// A law by name; the tests walk this list.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Id {
-    Disk,
-    CircleShell,
-    CircleArc,
-    Ball,
-    SphereShell,
-    Lambert,
-    CosPower(f64),
-}
-
-impl Id {
-    pub const FIXED: [Id; 6] = [
-        Id::Disk,
-        Id::CircleShell,
-        Id::CircleArc,
-        Id::Ball,
-        Id::SphereShell,
-        Id::Lambert,
-    ];
-
-    /// The name in the table of bounds.
-    pub fn name(self) -> &'static str {
-        match self {
-            Id::Disk => "Disk",
-            Id::CircleShell => "CircleShell",
-            Id::CircleArc => "CircleArc",
-            Id::Ball => "Ball",
-            Id::SphereShell => "SphereShell",
-            Id::Lambert => "Lambert",
-            Id::CosPower(_) => "CosPower",
-        }
-    }
-
-    pub fn planar(self) -> bool {
-        matches!(self, Id::Disk | Id::CircleShell | Id::CircleArc)
-    }
-
-    pub fn exponent(self) -> f64 {
-        match self {
-            Id::CircleArc => 0.0,
-            Id::CircleShell | Id::Lambert => 1.0,
-            Id::Disk | Id::SphereShell => 2.0,
-            Id::Ball => 3.0,
-            Id::CosPower(k) => k,
-        }
-    }
-}
+pub use crate::Id;
 
 /// Everything about a direction that the formulas read, for θ in [0, π/2].
 #[derive(Clone, Copy, Default)]

@@ -20,10 +20,10 @@ impl<T: Format> Law<T> for Spoiled {
     fn pdf(&self, theta: T) -> T {
         match self {
             Spoiled::NaiveCosine => {
-                let c = T::round(T::round(std::f64::consts::FRAC_PI_2).wide() - theta.wide())
+                let c = T::of(T::of(std::f64::consts::FRAC_PI_2).wide() - theta.wide())
                     .wide()
                     .sin();
-                T::round(c * c * std::f64::consts::FRAC_2_PI)
+                T::of(c * c * std::f64::consts::FRAC_2_PI)
             }
             Spoiled::Nudged if (1.0..1.001).contains(&theta.wide()) => {
                 T::of_bits(Disk.pdf(theta).bits() + 6)
@@ -36,7 +36,7 @@ impl<T: Format> Law<T> for Spoiled {
             Spoiled::OneMinus => Tails::from_lower(Law::<T>::cdf(&Disk, theta)),
             Spoiled::NaiveResidual => {
                 let y = 2.0 * (std::f64::consts::FRAC_PI_2 - theta.wide().abs());
-                Tails::from_upper(T::round((y - y.sin()) / std::f64::consts::TAU))
+                Tails::from_upper(T::of((y - y.sin()) / std::f64::consts::TAU))
             }
             _ => Disk.tails(theta),
         }

@@ -3,8 +3,8 @@
 use super::format::Format;
 use super::op::{AT_ANGLE, AT_TAIL, Op, name};
 use super::reference::Id;
-pub use super::values::Tier;
 use super::values::{On, Values};
+use crate::Number;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Precise, Spatial,
     SphereShell,
@@ -42,15 +42,18 @@ pub struct Subject<F> {
 
 impl<F: Format> Subject<F> {
     /// A law with no solid angle: planar, or with that one operation left out.
-    pub fn planar<T: Tier<Raw = F>>(id: Id, law: impl Law<T> + Send + Sync + 'static) -> Self {
+    pub fn planar<T: Number<Raw = F>>(id: Id, law: impl Law<T> + Send + Sync + 'static) -> Self {
         Self::on(id, false, law, |_, _| T::default())
     }
 
-    pub fn spatial<T: Tier<Raw = F>>(id: Id, law: impl Spatial<T> + Send + Sync + 'static) -> Self {
+    pub fn spatial<T: Number<Raw = F>>(
+        id: Id,
+        law: impl Spatial<T> + Send + Sync + 'static,
+    ) -> Self {
         Self::on(id, true, law, |law, theta| law.pdf_solid_angle(theta))
     }
 
-    fn on<T: Tier<Raw = F>, L: Law<T> + Send + Sync + 'static>(
+    fn on<T: Number<Raw = F>, L: Law<T> + Send + Sync + 'static>(
         id: Id,
         solid: bool,
         law: L,
@@ -66,7 +69,7 @@ impl<F: Format> Subject<F> {
     }
 
     /// The law in the number type T.
-    pub fn of<T: Tier<Raw = F>>(id: Id) -> Self {
+    pub fn of<T: Number<Raw = F>>(id: Id) -> Self {
         match id {
             Id::Disk => Self::planar::<T>(id, Disk),
             Id::CircleShell => Self::planar::<T>(id, CircleShell),
@@ -75,7 +78,7 @@ impl<F: Format> Subject<F> {
             Id::SphereShell => Self::spatial::<T>(id, SphereShell),
             Id::Lambert => Self::spatial::<T>(id, Lambert),
             Id::CosPower(k) => {
-                let law = CosPower::new(T::of(F::round(k))).expect("a valid exponent");
+                let law = CosPower::new(T::of(k)).expect("a valid exponent");
                 // The exponent that the format holds is the one to judge by.
                 Self::spatial::<T>(Id::CosPower(law.exponent().raw().wide()), law)
             }
@@ -93,7 +96,7 @@ impl<F: Format> Subject<F> {
     /// The laws in the format's plain number type.
     pub fn plain(ids: &[Id]) -> Vec<Self>
     where
-        F: Tier<Raw = F>,
+        F: Number<Raw = F>,
     {
         ids.iter().map(|&id| Self::of::<F>(id)).collect()
     }
@@ -105,6 +108,6 @@ impl<F: Format> Subject<F> {
             return self.law.at_tail(x)[slot];
         }
         let slot = at(&AT_ANGLE).unwrap_or_else(|| panic!("unknown operation {operation}"));
-        self.law.at_angle(x, CosSin { cos: x, sin: x })[slot]
+        self.law.at_angle(Some(x), CosSin { cos: x, sin: x })[slot]
     }
 }

@@ -1,84 +1,20 @@
 //! Number types over a raw format, and the values of a law in one of them.
 
-use super::format::Format;
 use super::op::{AT_ANGLE, AT_TAIL};
-use coslobe::{CosSin, Fast, Law, Precise, Real};
+use crate::Number;
+use coslobe::{CosSin, Law};
 use std::marker::PhantomData;
-
-/// A number type that wraps a format: the accuracy tier that its name says.
-pub trait Tier: Real {
-    type Raw: Format;
-    /// As in the tables.
-    const NAME: &'static str;
-    fn of(raw: Self::Raw) -> Self;
-    fn raw(self) -> Self::Raw;
-}
-
-impl Tier for f32 {
-    type Raw = f32;
-    const NAME: &'static str = "f32";
-    fn of(raw: f32) -> f32 {
-        raw
-    }
-    fn raw(self) -> f32 {
-        self
-    }
-}
-
-impl Tier for f64 {
-    type Raw = f64;
-    const NAME: &'static str = "f64";
-    fn of(raw: f64) -> f64 {
-        raw
-    }
-    fn raw(self) -> f64 {
-        self
-    }
-}
-
-impl Tier for Precise<f32> {
-    type Raw = f32;
-    const NAME: &'static str = "Precise<f32>";
-    fn of(raw: f32) -> Self {
-        Precise(raw)
-    }
-    fn raw(self) -> f32 {
-        self.0
-    }
-}
-
-impl Tier for Precise<f64> {
-    type Raw = f64;
-    const NAME: &'static str = "Precise<f64>";
-    fn of(raw: f64) -> Self {
-        Precise(raw)
-    }
-    fn raw(self) -> f64 {
-        self.0
-    }
-}
-
-impl Tier for Fast<f32> {
-    type Raw = f32;
-    const NAME: &'static str = "Fast<f32>";
-    fn of(raw: f32) -> Self {
-        Fast(raw)
-    }
-    fn raw(self) -> f32 {
-        self.0
-    }
-}
 
 /// All values of a law at an input in one call, so that the compiler may share work among them.
 pub trait Values<F>: Send + Sync {
-    /// In the order of [`AT_ANGLE`]; 0 for what the law has not.
-    fn at_angle(&self, theta: F, pair: CosSin<F>) -> [F; AT_ANGLE.len()];
+    /// In the order of [`AT_ANGLE`]; 0 for what the law has not, and of θ where there is none.
+    fn at_angle(&self, theta: Option<F>, pair: CosSin<F>) -> [F; AT_ANGLE.len()];
     /// In the order of [`AT_TAIL`].
     fn at_tail(&self, p: F) -> [F; AT_TAIL.len()];
     fn quantile(&self, p: F) -> F;
     fn isf(&self, p: F) -> F;
     /// The same over a block, `out[slot][i]`.
-    fn angles(&self, theta: &[F], pairs: &[CosSin<F>], out: &mut [Vec<F>]);
+    fn angles(&self, theta: Option<&[F]>, pairs: &[CosSin<F>], out: &mut [Vec<F>]);
     fn tails(&self, p: &[F], out: &mut [Vec<F>]);
 }
 
@@ -104,58 +40,53 @@ impl<T, L, S> On<T, L, S> {
 
 impl<T, L, S> Values<T::Raw> for On<T, L, S>
 where
-    T: Tier,
+    T: Number,
     L: Law<T> + Send + Sync,
     S: Fn(&L, T) -> T + Send + Sync,
 {
     #[inline]
-    fn at_angle(&self, theta: T::Raw, pair: CosSin<T::Raw>) -> [T::Raw; AT_ANGLE.len()] {
-        let (law, theta) = (&self.law, T::of(theta));
-        let (cos, sin) = (T::of(pair.cos), T::of(pair.sin));
+    fn at_angle(&self, theta: Option<T::Raw>, pair: CosSin<T::Raw>) -> [T::Raw; AT_ANGLE.len()] {
+        let law = &self.law;
+        let (cos, sin) = (T::of_raw(pair.cos), T::of_raw(pair.sin));
         let pair = CosSin { cos, sin };
         let zero = T::default();
         let mut values = [zero; AT_ANGLE.len()];
-        values[..9].copy_from_slice(&[
-            law.pdf(theta),
-            law.ln_pdf(theta),
-            (self.solid)(law, theta),
-            law.density(pair),
-            law.lambert_weight(pair),
-            law.cdf(theta),
-            law.sf(theta),
-            law.unwarp(pair),
-            law.unwarp_sf(pair),
-        ]);
+        (values[3], values[4]) = (law.density(pair), law.lambert_weight(pair));
+        (values[7], values[8]) = (law.unwarp(pair), law.unwarp_sf(pair));
         if self.planar {
             let mirrored = CosSin { cos, sin: -sin };
-            values[9..].copy_from_slice(&[
-                law.cdf(-theta),
-                law.sf(-theta),
-                law.unwarp(mirrored),
-                law.unwarp_sf(mirrored),
-            ]);
+            (values[11], values[12]) = (law.unwarp(mirrored), law.unwarp_sf(mirrored));
+        }
+        if let Some(theta) = theta.map(T::of_raw) {
+            (values[0], values[1]) = (law.pdf(theta), law.ln_pdf(theta));
+            values[2] = (self.solid)(law, theta);
+            (values[5], values[6]) = (law.cdf(theta), law.sf(theta));
+            if self.planar {
+                (values[9], values[10]) = (law.cdf(-theta), law.sf(-theta));
+            }
         }
         values.map(T::raw)
     }
 
     #[inline]
     fn at_tail(&self, p: T::Raw) -> [T::Raw; AT_TAIL.len()] {
-        let (law, p) = (&self.law, T::of(p));
+        let (law, p) = (&self.law, T::of_raw(p));
         let (lower, upper) = (law.warp(p), law.warp_sf(p));
         let (quantile, isf) = (law.quantile(p), law.isf(p));
         [lower.cos, lower.sin, upper.cos, upper.sin, quantile, isf].map(T::raw)
     }
 
     fn quantile(&self, p: T::Raw) -> T::Raw {
-        self.law.quantile(T::of(p)).raw()
+        self.law.quantile(T::of_raw(p)).raw()
     }
 
     fn isf(&self, p: T::Raw) -> T::Raw {
-        self.law.isf(T::of(p)).raw()
+        self.law.isf(T::of_raw(p)).raw()
     }
 
-    fn angles(&self, theta: &[T::Raw], pairs: &[CosSin<T::Raw>], out: &mut [Vec<T::Raw>]) {
-        for (i, (&theta, &pair)) in theta.iter().zip(pairs).enumerate() {
+    fn angles(&self, theta: Option<&[T::Raw]>, pairs: &[CosSin<T::Raw>], out: &mut [Vec<T::Raw>]) {
+        for (i, &pair) in pairs.iter().enumerate() {
+            let theta = theta.map(|theta| theta[i]);
             for (slot, value) in out.iter_mut().zip(self.at_angle(theta, pair)) {
                 slot[i] = value;
             }

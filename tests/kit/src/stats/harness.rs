@@ -1,6 +1,6 @@
 //! The harness: every test of one claim, on samples of anything that can be drawn.
 
-use super::laws::{Claim, Direction};
+use super::claim::{Claim, Direction};
 use super::mean::Mean;
 use super::report::Report;
 use super::{chi2, ks, words};

@@ -2,9 +2,9 @@
 // Each test file compiles this module for itself and uses its own part of it.
 
 pub mod chi2;
+pub mod claim;
 pub mod harness;
 pub mod ks;
-pub mod laws;
 pub mod mean;
 pub mod measures;
 pub mod report;

@@ -78,7 +78,7 @@ fn truth<T: Format>(law: Id, u: T, upper: bool) -> ((T::Wide, T::Wide), f64) {
 /// The tails p and 1 − p as numbers of the format, but for those that round to 1.
 fn both_sides<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
     let p = tails::<T>(from, n);
-    let one = T::round(1.0);
+    let one = T::of(1.0);
     let far = p.iter().map(|&p| one - p).filter(|&u| u < one);
     p.iter().copied().chain(far).collect()
 }

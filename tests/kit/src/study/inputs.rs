@@ -18,9 +18,7 @@ pub fn angles<T: Format>(planar: bool) -> Inputs<T> {
         counted: (0..COUNTED)
             .map(|i| sign(i, stratified::<T>(T::TOP_ANGLE, i, COUNTED)))
             .collect(),
-        timed: even()
-            .map(|(i, x)| sign(i, T::round(half_pi * x)))
-            .collect(),
+        timed: even().map(|(i, x)| sign(i, T::of(half_pi * x))).collect(),
     }
 }
 
@@ -29,8 +27,8 @@ pub fn pairs<T: Format>(planar: bool) -> Inputs<CosSin<T>> {
     let pair = |&theta: &T| {
         let (sin, cos) = theta.wide().sin_cos();
         CosSin {
-            cos: T::round(cos),
-            sin: T::round(sin),
+            cos: T::of(cos),
+            sin: T::of(sin),
         }
     };
     let Inputs { counted, timed } = angles::<T>(planar);
@@ -43,12 +41,12 @@ pub fn pairs<T: Format>(planar: bool) -> Inputs<CosSin<T>> {
 /// Probabilities, those to count over crowding at both ends.
 pub fn probabilities<T: Format>() -> Inputs<T> {
     let p = |i| stratified::<T>(T::HALF_BITS, i, COUNTED);
-    let mirrored = |i| T::round(1.0) - p(i);
+    let mirrored = |i| T::of(1.0) - p(i);
     Inputs {
         counted: (0..COUNTED)
             .map(|i| if i % 2 == 1 { mirrored(i) } else { p(i) })
             .collect(),
-        timed: even().map(|(_, x)| T::round(x)).collect(),
+        timed: even().map(|(_, x)| T::of(x)).collect(),
     }
 }
 
@@ -77,13 +75,13 @@ pub fn tails<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
         Uniforms::Down(bits) => bits,
     };
     let grid = 2f64.powi(T::DIGITS);
-    let mut tails = vec![T::round(0.5)];
+    let mut tails = vec![T::of(0.5)];
     for octave in 1..=octaves {
         for j in 0..n {
             // The golden ratio's multiples spread evenly without a pattern.
             let share = (f64::from(j) * 0.618_033_988_749_894_9).fract();
             let p = 2f64.powi(-octave - 1) * (1.0 + share);
-            tails.push(T::round(match from {
+            tails.push(T::of(match from {
                 Uniforms::Grid => (p * grid).round() / grid,
                 _ => p,
             }));

@@ -22,16 +22,16 @@ pub(super) fn all(list: &mut Vec<Contender>) {
 }
 
 fn direction<T: Format, M: Maths<T>>(u: T, v: T) -> [T; 3] {
-    let (zero, one) = (T::default(), T::round(1.0));
+    let (zero, one) = (T::default(), T::of(1.0));
     let (a, b) = (u + u - one, v + v - one);
     if a == zero && b == zero {
         return [zero, one, zero];
     }
     let size = |x: T| if x < zero { -x } else { x };
     let (r, phi) = if size(a) > size(b) {
-        (a, T::round(FRAC_PI_4) * (b / a))
+        (a, T::of(FRAC_PI_4) * (b / a))
     } else {
-        (b, T::round(FRAC_PI_2) - T::round(FRAC_PI_4) * (a / b))
+        (b, T::of(FRAC_PI_2) - T::of(FRAC_PI_4) * (a / b))
     };
     let (s, c) = M::sin_cos(phi);
     let (x, z) = (r * c, r * s);
@@ -44,10 +44,10 @@ fn measure<T: Format, M: Maths<T>>() -> Measure {
     Box::new(|from, n| {
         let (mut errors, one) = (Errors::default(), T::Wide::of(1.0));
         for side in tails::<T>(from, n) {
-            for u in [side, T::round(1.0) - side] {
+            for u in [side, T::of(1.0) - side] {
                 // ⅗ in one, u in the other: sin θ from 1/5 up; then ½, for smaller ones.
                 for v in [0.6, 0.5] {
-                    let v = T::round(v);
+                    let v = T::of(v);
                     let size = |x: T| {
                         let x = T::Wide::of(x.wide());
                         let a = x + x - one;

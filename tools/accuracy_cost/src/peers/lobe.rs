@@ -24,13 +24,13 @@ pub(super) fn all(list: &mut Vec<Contender>) {
 
 /// [sin θ cos φ, cos θ, sin θ sin φ] at azimuth v.
 fn around<T: Format, M: Maths<T>>(cos: T, sin: T, v: T) -> [T; 3] {
-    let (s, c) = M::sin_cos(T::round(TAU) * v);
+    let (s, c) = M::sin_cos(T::of(TAU) * v);
     [sin * c, cos, sin * s]
 }
 
 /// sin θ from cos θ.
 fn sine<T: Format, M: Maths<T>>(cos: T) -> T {
-    let square = T::round(1.0) - cos * cos;
+    let square = T::of(1.0) - cos * cos;
     M::sqrt(if square > T::default() {
         square
     } else {
@@ -49,7 +49,7 @@ where
         law: Id::Lambert,
     };
     spatial::<T, _>(list, about, |u, v| {
-        around::<T, M>(M::sqrt(u), M::sqrt(T::round(1.0) - u), v)
+        around::<T, M>(M::sqrt(u), M::sqrt(T::of(1.0) - u), v)
     });
     for (law, n) in [
         (Id::SphereShell, 2.0),
@@ -62,7 +62,7 @@ where
             library: M::NAME,
             law,
         };
-        let y = T::round(1.0 / (n + 1.0));
+        let y = T::of(1.0 / (n + 1.0));
         spatial::<T, _>(list, about, move |u, v| {
             let cos = M::powf(u, y);
             around::<T, M>(cos, sine::<T, M>(cos), v)

@@ -97,7 +97,7 @@ where
     F: Fn(T, T) -> [T; 3] + Copy + 'static,
 {
     let measure: Measure =
-        Box::new(move |from, n| errors::of_map(about.law, true, from, n, |u| f(u, T::round(0.3))));
+        Box::new(move |from, n| errors::of_map(about.law, true, from, n, |u| f(u, T::of(0.3))));
     let cell = Cell::drawing(Mapped(f, PhantomData::<T>));
     push::<T>(list, about, "sample", cell, measure);
 }

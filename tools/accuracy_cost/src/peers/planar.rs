@@ -28,12 +28,12 @@ where
     };
     let shell = about("asin, then sin and cos", "asin", Id::CircleShell);
     flat::<T, _>(list, shell, |u| {
-        let (sin, cos) = M::sin_cos(M::asin(u + u - T::round(1.0)));
+        let (sin, cos) = M::sin_cos(M::asin(u + u - T::of(1.0)));
         [sin, cos]
     });
     let arc = about("angle, then sin and cos", "angle", Id::CircleArc);
     flat::<T, _>(list, arc, |u| {
-        let (sin, cos) = M::sin_cos(T::round(PI) * (u - T::round(0.5)));
+        let (sin, cos) = M::sin_cos(T::of(PI) * (u - T::of(0.5)));
         [sin, cos]
     });
 }

@@ -51,7 +51,7 @@ where
     #[inline(always)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; N] {
         let mut d = self.0.sample(rng);
-        d[1] = d[1] + T::round(1.0);
+        d[1] = d[1] + T::of(1.0);
         let square = d.iter().fold(T::default(), |sum, &x| sum + x * x);
         let length = Std::sqrt(square);
         d.map(|x| x / length)
@@ -100,7 +100,7 @@ where
 /// (cos θ, sin θ) of the exact point that the same uniforms stand for. Candidates are accepted as
 /// `rand_distr` documents it, in the format itself, so that both walk the same words.
 fn truth<T: Format + SampleUniform, R: Rng>(law: Id, rng: &mut R) -> (T::Wide, T::Wide) {
-    let uniform = Uniform::new(T::round(-1.0), T::round(1.0)).expect("an interval");
+    let uniform = Uniform::new(T::of(-1.0), T::of(1.0)).expect("an interval");
     let (one, two) = (T::Wide::of(1.0), T::Wide::of(2.0));
     let w = |x: T| T::Wide::of(x.wide());
     loop {
@@ -110,10 +110,10 @@ fn truth<T: Format + SampleUniform, R: Rng>(law: Id, rng: &mut R) -> (T::Wide, T
         let point = match law {
             Id::Ball => {
                 let c = uniform.sample(rng);
-                (plane + c * c <= T::round(1.0)).then(|| [x, y, w(c)])
+                (plane + c * c <= T::of(1.0)).then(|| [x, y, w(c)])
             }
-            Id::Disk => (plane <= T::round(1.0)).then_some([x, y, z]),
-            _ if plane >= T::round(1.0) => None,
+            Id::Disk => (plane <= T::of(1.0)).then_some([x, y, z]),
+            _ if plane >= T::of(1.0) => None,
             Id::CircleArc => {
                 let sum = x * x + y * y;
                 Some([(x * x - y * y) / sum, two * x * y / sum, z])

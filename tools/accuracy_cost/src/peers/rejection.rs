@@ -76,8 +76,8 @@ fn truth<T: Format + SampleUniform, R: Rng>(rng: &mut R) -> (T::Wide, T::Wide)
 where
     StandardUniform: Distribution<T>,
 {
-    let uniform = Uniform::new(T::round(-1.0), T::round(1.0)).expect("an interval");
-    let (unit, two) = (T::round(1.0), T::round(2.0));
+    let uniform = Uniform::new(T::of(-1.0), T::of(1.0)).expect("an interval");
+    let (unit, two) = (T::of(1.0), T::of(2.0));
     loop {
         let (a, b) = (uniform.sample(rng), uniform.sample(rng));
         let sum = a * a + b * b;

@@ -20,9 +20,9 @@ pub(super) fn all(list: &mut Vec<Contender>) {
 
 /// As a textbook writes it: steps until the bracket or the step no longer moves the angle.
 pub(super) fn quantile<T: Format, M: Maths<T>>(u: T) -> T {
-    let (half, mut theta) = (T::round(0.5), T::default());
-    let target = T::round(PI) * (u - half);
-    let (mut low, mut high) = (T::round(-FRAC_PI_2), T::round(FRAC_PI_2));
+    let (half, mut theta) = (T::of(0.5), T::default());
+    let target = T::of(PI) * (u - half);
+    let (mut low, mut high) = (T::of(-FRAC_PI_2), T::of(FRAC_PI_2));
     for _ in 0..100 {
         let (s, c) = M::sin_cos(theta);
         let residual = theta + s * c - target;

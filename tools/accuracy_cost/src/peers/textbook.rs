@@ -20,7 +20,7 @@ fn format<T: Format>(list: &mut Vec<Contender>)
 where
     Std: Maths<T>,
 {
-    let c = T::round;
+    let c = T::of;
     let cos = |x: T| Std::sin_cos(x).1;
     let one = c(1.0);
     let half = c(0.5);

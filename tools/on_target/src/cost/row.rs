@@ -1,4 +1,4 @@
-//! The rows of `docs/firmware_cost.csv`.
+//! The rows of `docs/measured/firmware_cost.csv`.
 
 use super::count::Counted;
 use super::flash::Linked;

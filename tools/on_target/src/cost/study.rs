@@ -21,7 +21,7 @@ struct Line {
     max_relative: Option<f64>,
 }
 
-/// `docs/accuracy_cost.csv`.
+/// `docs/measured/accuracy_cost.csv`.
 #[derive(Default)]
 pub(crate) struct Study(HashMap<[String; 3], Known>);
 

@@ -7,7 +7,7 @@ use crate::boards::Board;
 use crate::failure::Result;
 use crate::types::{FIXED, FIXED16, TYPES, laws};
 use indicatif::ProgressBar;
-use kit::LAWS;
+use kit::Id;
 
 /// The types to look at: all where there is an FPU, elsewhere those that firmware takes first.
 fn types(board: &Board) -> &'static [&'static str] {
@@ -134,8 +134,8 @@ fn is(file: &str, stem: &str) -> bool {
 
 /// Whether a sampler of the law may hold code of a file that is not the law's own.
 fn may_hold(law: &str, file: &str) -> bool {
-    let other_law = LAWS.iter().any(|law| {
-        let name = self::file(law);
+    let other_law = Id::ALL.iter().any(|law| {
+        let name = self::file(law.name());
         file == format!("law/{name}.rs") || file == format!("fixed/{name}.rs")
     });
     let other_stage = ["frame.rs", "point.rs", "weight.rs", "moments.rs"].contains(&file);

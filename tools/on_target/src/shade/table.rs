@@ -1,4 +1,4 @@
-//! `docs/shade_firmware.md`: what small scenes cost on a board.
+//! `docs/measured/shade_firmware.md`: what small scenes cost on a board.
 
 use crate::build::root;
 use crate::difference::same;
@@ -39,7 +39,7 @@ qemu-system-arm); without `--write` compared.
 ";
 
 fn path() -> PathBuf {
-    root().join("docs/shade_firmware.md")
+    root().join("docs/measured/shade_firmware.md")
 }
 
 /// The compiler that the figures come from: they move with it.
@@ -84,12 +84,15 @@ pub(super) fn compare(rows: &[Row], report: &mut Report) -> Result<()> {
     let compiler = compiler()?;
     if !committed.contains(&compiler) {
         report.skip(&format!(
-            "docs/shade_firmware.md: {compiler} here, and the table is another compiler's"
+            "docs/measured/shade_firmware.md: {compiler} here, and the table is another compiler's"
         ));
         return Ok(());
     }
     let outcome = same(&committed, &page(rows, &compiler)).map_err(Failure);
-    report.outcome("docs/shade_firmware.md is what is measured", outcome);
+    report.outcome(
+        "docs/measured/shade_firmware.md is what is measured",
+        outcome,
+    );
     Ok(())
 }
 
