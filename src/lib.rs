@@ -85,6 +85,7 @@ mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 mod frame;
+mod generator;
 pub mod integration;
 mod law;
 mod moments;
@@ -102,6 +103,7 @@ pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
 pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
+pub use generator::{FromFn, TryFromFn, from_fn, try_from_fn};
 pub use law::{
     Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Measure, Planar,
     Spatial, SphereArea, SphereShell,

@@ -8,7 +8,7 @@ use crate::number::Real;
 use crate::number::tier::Margin;
 use crate::uniform::{TailBits, TurnBits};
 use crate::{CosSin, Frame, Sample, Tails, uniform};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
 /// Laws of a direction in space, uniform in azimuth.
 #[diagnostic::on_unimplemented(
@@ -28,6 +28,16 @@ pub trait Spatial<T: Real>: Law<T> {
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         let tail = T::draw_tail_bits(rng);
         self.sample_from_bits(tail, T::draw_turn_bits(rng))
+    }
+
+    /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same order.
+    ///
+    /// # Errors
+    /// The generator's first error, handed on; no word is drawn after it.
+    #[inline]
+    fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[T; 3], R::Error> {
+        let tail = T::try_draw_tail_bits(rng)?;
+        Ok(self.sample_from_bits(tail, T::try_draw_turn_bits(rng)?))
     }
 
     /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
