@@ -70,6 +70,12 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!(
+    "coslobe gives the same bits on every target, and x87 registers round to more digits than f32 \
+     and f64 have: build with RUSTFLAGS=\"-C target-feature=+sse2\", or for an i686 target"
+);
+
 pub mod accuracy;
 mod arithmetic;
 pub mod batch;

@@ -148,7 +148,8 @@ pub trait Tangent<T: Real>: Law<T> {
                 )]
             },
         );
-        inside(Self::MEASURE, rho, at, r, value, T::ZERO)
+        // + 0 turns the −0 of a cosine −0 into +0.
+        inside(Self::MEASURE, rho, at, r, value, T::ZERO) + T::ZERO
     }
 
     /// Natural logarithm of [`point_density`](Tangent::point_density), finite for every radius, and

@@ -5,7 +5,8 @@ use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::I1F15;
-use kit::integer::truth::DISK;
+use kit::Id;
+use kit::integer::truth::Truth;
 use kit::stats::words::{self, Words};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -55,7 +56,7 @@ fn disk([a, b]: [u32; 2]) -> [f64; 3] {
     let [third, spare] = halves(b);
     let [first, second] = halves(a);
     let p = largest(&[first, second, third]).powi(3) / 2.0;
-    let (cos, sin) = DISK.pair(1.0 - p, p);
+    let (cos, sin) = Truth::of(Id::Disk).pair(1.0 - p, p);
     planar(cos, sin, spare >> 15)
 }
 
