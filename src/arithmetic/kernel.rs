@@ -22,8 +22,8 @@ pub trait Wide<W>: Copy + Send + Sync + 'static {
     fn sqrt(self) -> W;
 }
 
-/// An arithmetic by the kernels that it gives the laws. A law's formula is written once; the arithmetic
-/// that runs it decides what it costs and how exact it is.
+/// An arithmetic by the kernels that it gives the laws. A law's formula is written once; the
+/// arithmetic that runs it decides what it costs and how exact it is.
 pub trait Kernel: Scalar {
     type Wide: Wide<Self>;
     /// cos θ as its powers are taken.

@@ -33,8 +33,8 @@ const fn constants(c: &Constants<Pair<f64>>) -> Constants<Double> {
     }
 }
 
-/// A power within 2⁻⁹⁰ of an `f64` is taken to be that: c³ of a c with few digits must come out exactly,
-/// since it can be a tie in a shorter format.
+/// A power within 2⁻⁹⁰ of an `f64` is taken to be that: c³ of a c with few digits must come out
+/// exactly, since it can be a tie in a shorter format.
 #[inline]
 fn snapped(x: Double) -> Double {
     if x.lo.abs() < x.hi.abs() * power_of_two(-90) {

@@ -184,7 +184,8 @@ impl Float for f32 {
 
     #[inline(always)]
     fn cbrt_recip_guess(self) -> f32 {
-        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the
+        // first step.
         f32::from_bits(0x54A2_1000_u32.wrapping_sub(self.to_bits() / 3))
     }
 }

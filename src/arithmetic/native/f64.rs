@@ -174,7 +174,8 @@ impl Float for f64 {
 
     #[inline(always)]
     fn cbrt_recip_guess(self) -> f64 {
-        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the
+        // first step.
         f64::from_bits(0x553E_ECAA_AAAA_A800_u64.wrapping_sub(self.to_bits() / 3))
     }
 }

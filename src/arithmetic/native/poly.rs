@@ -11,7 +11,8 @@ pub(crate) fn horner<T: Native>(x: T, c: &[T]) -> T {
     }
 }
 
-/// Σ cᵢ xⁱ for a long series: every fourth term by itself, so that the sums do not wait for each other.
+/// Σ cᵢ xⁱ for a long series: every fourth term by itself, so that the sums do not wait for each
+/// other.
 #[inline(always)]
 pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
     let x2 = x * x;

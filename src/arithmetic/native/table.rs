@@ -3,7 +3,8 @@
 use super::log2::Part;
 use super::pair::Pair;
 
-/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each approximates.
+/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each
+/// approximates.
 pub struct Table<T: 'static> {
     pub(crate) sin: &'static [T],
     pub(crate) cos: &'static [T],

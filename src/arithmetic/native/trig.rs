@@ -43,8 +43,8 @@ fn fold<T: Native>(theta: T) -> (Pair<T>, bool) {
     (if far { from_end(a) } else { Pair::exact(a) }, far)
 }
 
-/// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the pdf of
-/// `CircleShell`, whose row in the accuracy table is its error and one rounding.
+/// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the
+/// pdf of `CircleShell`, whose row in the accuracy table is its error and one rounding.
 #[inline(always)]
 pub(crate) fn small<T: Native>(x: Pair<T>) -> CosSin<Pair<T>> {
     // Too small to count is 0: subnormal products stall some processors a hundredfold.

@@ -1,5 +1,5 @@
-//! The kernels of [`Scaled`]: those of double-double where its exponents reach, else the leading term of
-//! the series, which there has all digits.
+//! The kernels of [`Scaled`]: those of double-double where its exponents reach, else the leading
+//! term of the series, which there has all digits.
 
 use super::{DIGITS, Scaled};
 use crate::arithmetic::constants::Constants;

@@ -1,5 +1,5 @@
-//! The kernels of `Scaled` against those of plain double-double, where both reach: above all around the
-//! exponents from which the leading term is taken.
+//! The kernels of `Scaled` against those of plain double-double, where both reach: above all
+//! around the exponents from which the leading term is taken.
 
 extern crate std;
 
