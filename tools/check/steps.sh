@@ -48,7 +48,7 @@ lints() {
   cargo clippy --workspace --all-targets --features "$(all_features)" --quiet -- -D warnings
   cargo clippy --lib --quiet -- -D warnings
 }
-tests() { cargo test --quiet --workspace --features "$(all_features)"; }
+tests() { cargo test --quiet --no-fail-fast --workspace --features "$(all_features)"; }
 lints_of_firmware() {
   cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace $(there thumbv6m-none-eabi \
     thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf) --target-dir target/on_target/lints -- -D warnings
