@@ -41,10 +41,10 @@ impl Tier for f32 {
     #[inline(always)]
     fn rounded<const N: usize>(
         _: Margin,
+        quick: impl FnOnce() -> [f32; N],
         _: impl FnOnce() -> [f32; N],
-        accurate: impl FnOnce() -> [f32; N],
     ) -> [f32; N] {
-        accurate()
+        quick()
     }
 
     #[inline(always)]

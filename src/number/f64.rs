@@ -41,10 +41,10 @@ impl Tier for f64 {
     #[inline(always)]
     fn rounded<const N: usize>(
         _: Margin,
+        quick: impl FnOnce() -> [f64; N],
         _: impl FnOnce() -> [f64; N],
-        accurate: impl FnOnce() -> [f64; N],
     ) -> [f64; N] {
-        accurate()
+        quick()
     }
 
     #[inline(always)]

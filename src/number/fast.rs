@@ -48,10 +48,10 @@ impl Tier for Fast<f32> {
     #[inline(always)]
     fn rounded<const N: usize>(
         _: Margin,
+        quick: impl FnOnce() -> [Self; N],
         _: impl FnOnce() -> [Self; N],
-        accurate: impl FnOnce() -> [Self; N],
     ) -> [Self; N] {
-        accurate()
+        quick()
     }
 
     #[inline(always)]
