@@ -1,17 +1,25 @@
 //! Uniform by arc length on a circle.
 
 use super::Planar;
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by arc length** on a circle tangent to the origin.
 ///
-/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal angles:
+#[doc = include_str!("../../docs/measured/lobes/circle-arc.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
+///
+/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal
+/// angles:
 ///
 /// > p(θ) = 1/π per radian, θ ∈ \[−π/2, π/2\]
 ///
@@ -112,14 +120,34 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 impl Own for CircleArc {}
 
 impl Parameterless for CircleArc {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.circle_arc_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.two_over_pi;
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(1, 2), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c.pi.mul(c.pi).mul(Pair::ratio(1, 12)),
+            entropy: c.ln_pi,
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for CircleArc {
+impl Point for CircleArc {
     const MEASURE: Measure = Measure::ArcLength;
+    const IS_PLANAR: bool = true;
+
+    /// 1/(2πρ).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi * W::HALF / rho
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_two_pi.value() + rho.ln())
+    }
 }
 
 impl<T: Real> Planar<T> for CircleArc {}

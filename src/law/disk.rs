@@ -1,18 +1,25 @@
 //! Uniform by area in a disk.
 
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use super::{Law, Planar};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
 use crate::number::tier::Margin;
 use crate::uniform::TailBits;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by area** in a disk tangent to the origin (paper 3.1).
+///
+#[doc = include_str!("../../docs/measured/lobes/disk.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
 ///
 /// The point is uniform in the disk of radius ρ about (0, ρ). A ray at θ from +y leaves the disk
 /// at r = 2ρ cos θ, so ∫₀^{2ρ cos θ} r dr / (πρ²) gives the density
@@ -110,14 +117,44 @@ impl<W: Kernel> Formulas<W> for Disk {
 impl Own for Disk {}
 
 impl Parameterless for Disk {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.disk_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.recip_pi.mul(Pair::ratio(8, 3));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(3, 4), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c
+                .pi
+                .mul(c.pi)
+                .mul(Pair::ratio(1, 12))
+                .add(Pair::ratio(-1, 2)),
+            entropy: c.ln_two_pi.add(Pair::ratio(-1, 1)),
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for Disk {
+impl Point for Disk {
     const MEASURE: Measure = Measure::Area;
+    const IS_PLANAR: bool = true;
+    const IS_SOLID: bool = true;
+
+    #[inline]
+    fn share<W: Kernel>(v: W) -> W {
+        v.sqrt()
+    }
+
+    /// 1/(πρ²).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi / rho * (W::ONE / rho)
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_pi.value() + rho.ln() * W::int(2))
+    }
 }
 
 /// The shadow of a direction of [`Lambert`](crate::Lambert)'s law on a plane through the normal: no equation is solved.

@@ -7,6 +7,7 @@ use super::Law;
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::into_support;
 use crate::number::Real;
 use crate::number::tier::Margin;
@@ -40,32 +41,26 @@ pub trait Formulas<W: Kernel> {
 /// `impl<T: Real> Law<T> for Mine`, the compiler must see that the blanket implementation does not
 /// cover `Mine`. With `Phases<T>` alone it cannot, and refuses: a third crate might implement
 /// `Phases` of a number type of its own for `Mine` (E0119).
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law",
-    label = "not a law of directions",
-    note = "the laws are Disk, CircleShell, CircleArc, Ball, SphereShell, Lambert and CosPower; \
-            one of your own implements `coslobe::Law`"
-)]
 pub trait Own {}
 
 /// A law without a parameter, which is the same in every arithmetic.
 pub trait Parameterless: Own + Copy {
-    /// Exact moments.
-    fn moments<B: Native>() -> Moments<B>;
+    /// Exact moments, with digits to spare for one rounding.
+    fn moments<B: Native>() -> Moments<Pair<B>>;
 }
 
 /// A law in the two phases of a number type.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law in the number type `{T}`",
-    label = "no law in `{T}`",
-    note = "a law with a parameter, such as CosPower, works in the number type of its parameter"
-)]
 pub trait Phases<T: Real> {
     type Quick: Formulas<T::Quick>;
     type Accurate: Formulas<T::Accurate>;
     fn quick(&self) -> Self::Quick;
     fn accurate(&self) -> Self::Accurate;
     fn moments(&self) -> Moments<T>;
+}
+
+/// The variance of what has this mean and this mean square.
+pub(crate) fn variance<B: Native>(mean_square: Pair<B>, mean: Pair<B>) -> Pair<B> {
+    mean_square.add(mean.mul(mean).neg())
 }
 
 impl<T: Real, L> Phases<T> for L
@@ -87,7 +82,7 @@ where
 
     #[inline]
     fn moments(&self) -> Moments<T> {
-        L::moments::<T::Base>().map(T::from_base)
+        L::moments::<T::Base>().map(|x| T::from_base(x.value()))
     }
 }
 

@@ -7,6 +7,7 @@ mod cos_power;
 mod disk;
 mod formulas;
 mod lambert;
+mod measure;
 mod planar;
 mod spatial;
 mod sphere_shell;
@@ -18,6 +19,8 @@ pub use circle_shell::CircleShell;
 pub use cos_power::{CosPower, ExponentError};
 pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
+pub use measure::Measure;
+pub(crate) use measure::Point;
 pub use planar::Planar;
 pub use spatial::Spatial;
 pub(crate) use spatial::spherical;
@@ -37,12 +40,17 @@ use crate::{CosSin, Moments, Tails};
 /// `f32`'s `FRAC_PI_2` lies beyond it. All functions are total: NaN gives NaN; outside the
 /// support the density is 0, its logarithm −∞ and the cdf 0 or 1; a probability outside
 /// \[0, 1\] gives NaN. No input panics. The accuracy of each is in [`accuracy`](crate::accuracy).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the number type `{T}`",
+    label = "no law of a direction in `{T}`"
+)]
 pub trait Law<T: Real> {
     /// Density of θ: per radian for planar laws; for spatial ones per dθ dφ (the paper's q),
     /// that is [`Spatial::pdf_solid_angle`] times sin θ.
     fn pdf(&self, theta: T) -> T;
 
-    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is 0.
+    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is
+    /// 0.
     fn ln_pdf(&self, theta: T) -> T;
 
     /// (cdf, sf) of θ, azimuth integrated out, each to full relative accuracy.

@@ -1,28 +1,37 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
 use crate::number::tier::Margin;
 use crate::uniform::TailBits;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
-/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2, "sphere").
+/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
+/// "sphere").
+///
+#[doc = include_str!("../../docs/measured/lobes/sphere-shell.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial); the point itself:
+/// [`SpatialPoint`](crate::SpatialPoint).
 ///
 /// The shell has constant thickness along the ray, not across the surface: the paper's measure is
 /// δ(r − 2ρ cos θ) r² sin θ dr dθ dφ, whose mass 8πρ²/3 gives the density
 ///
 /// > 3 cos²θ / (2π) per steradian; q = 3 cos²θ sin θ / (2π) per dθ dφ, θ ∈ \[0, π/2\]
 ///
-/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law instead:
-/// the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here, ⅔ there.
+/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law
+/// instead: the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here,
+/// ⅔ there.
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -69,9 +78,8 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
-        let p = W::CONSTANTS.ln_three_over_two_pi.value()
-            + W::ln_cos(at) * W::int(2)
-            + at.sin.value().ln();
+        let p = at.cos.times(at.cos).times(W::CONSTANTS.three_over_two_pi);
+        let p = p.value().ln() + at.sin.value().ln();
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
@@ -137,14 +145,35 @@ impl<W: Kernel> Formulas<W> for SphereShell {
 impl Own for SphereShell {}
 
 impl Parameterless for SphereShell {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.sphere_shell_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = Pair::ratio(3, 4);
+        let mean_theta = Pair::ratio(2, 3);
+        let mean_theta_squared = c.two_pi.mul(Pair::ratio(1, 3)).add(Pair::ratio(-14, 9));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(3, 5), mean_cos),
+            mean_theta,
+            var_theta: variance(mean_theta_squared, mean_theta),
+            entropy: Pair::ratio(2, 3).add(c.ln_three_over_two_pi.neg()),
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for SphereShell {
+impl Point for SphereShell {
     const MEASURE: Measure = Measure::SphereShell;
+    const IS_PLANAR: bool = false;
+
+    /// 3 cos²θ sin θ / 2π.
+    #[inline]
+    fn point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value() * at.sin
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        W::CONSTANTS.ln_three_over_two_pi.value() + at.cos.ln() * W::int(2) + at.sin.ln()
+    }
 }
 
 /// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.

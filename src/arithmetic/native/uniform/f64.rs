@@ -3,7 +3,8 @@
 use super::BY_SUMS;
 use crate::arithmetic::native::f64::power_of_two;
 
-/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2⁵² become multiples of 2ⁿ.
+/// The bits of a float whose last place counts 2ⁿ, n = `ulp`: with an integer below 2⁵² in its last
+/// places it is more by that many times 2ⁿ.
 const fn carrier(ulp: i32) -> u64 {
     ((1023 + 52 + ulp) as u64) << 52
 }
@@ -122,8 +123,8 @@ fn summed_turn(bits: u64) -> f64 {
 mod tests {
     use super::*;
 
-    /// [`half_more`] and [`summed`] against the compiler's own conversion: every count of leading zeros, and patterns of
-    /// low bits around the tie of each.
+    /// [`half_more`] and [`summed`] against the compiler's own conversion: every count of leading
+    /// zeros, and patterns of low bits around the tie of each.
     #[test]
     fn half_more_is_rounded_once() {
         let mut noise = 0x9E37_79B9_7F4A_7C15u128;
