@@ -8,6 +8,10 @@
 //! | `f32` | one `next_u64` (64) | 2⁻⁶⁵ | 2⁻⁶⁵ to ½ | to nearest; exact below 2⁻⁴¹ |
 //! | `f64` | two `next_u64` (128) | 2⁻¹²⁹ | 2⁻¹²⁹ to ½ | to nearest; exact below 2⁻⁷⁶ |
 //!
+//! Samples of [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell) need two uniforms, and
+//! take each from one half of those bits: from 2⁻³³ (`f32`) or 2⁻⁶⁵ (`f64`) on, which is a tail of
+//! the law of 2⁻⁴⁹ or 2⁻⁹⁷.
+//!
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
 

@@ -81,14 +81,14 @@ def errors(got, want):
     return off.max(), (off[2][seen] / want[2][seen]).max()
 
 
-def vector_width():
-    """What Dr.Jit says of its vectors."""
-    text = subprocess.run(
-        [sys.executable, "-c", "import drjit as dr; dr.set_log_level(4); from drjit.llvm import Float; dr.eval(Float(1) + dr.arange(Float, 3))"],
-        capture_output=True, text=True,
+def lanes():
+    """Lanes of the vectors in the code that Dr.Jit generates here."""
+    program = (
+        "import drjit as dr; from drjit.llvm import Float; dr.set_flag(dr.JitFlag.PrintIR, True);"
+        "dr.eval(dr.arange(Float, 64) + 1)"
     )
-    found = re.search(r"vector width\s*[=:]\s*(\d+)", text.stdout + text.stderr)
-    return int(found[1]) if found else None
+    done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
+    return re.search(r"<(\d+) x float>", done.stdout + done.stderr)[1]
 
 
 def main():
@@ -117,7 +117,7 @@ def main():
         ("version", "drjit", dr.__version__),
         ("elements", "", n),
         ("width", OURS, width),
-        ("width", THEIRS, f"{vector_width()} lanes"),
+        ("width", THEIRS, f"{lanes()} lanes"),
         ("time_ratio", OURS, f"{min(own) / min(other):.3f}"),
     ]
     for name, got, want in [(OURS, directions, polar(*exact)), (THEIRS, others, concentric(*exact))]:
