@@ -2,6 +2,7 @@
 //!
 //! The thorough run: `cargo test --release --test statistics -- --ignored --nocapture`.
 
+mod halves;
 mod mutants;
 
 use coslobe::rand_core::Rng;
@@ -38,10 +39,12 @@ struct Laws {
 }
 
 impl Laws {
-    fn check(&self, claim: &Claim, draw: impl Fn(&mut dyn Rng) -> Direction) {
+    fn check(&self, id: Id, claim: &Claim, draw: impl Fn(&mut dyn Rng) -> Direction) {
         let mut rng = words::pcg(&claim.name);
         examine(claim, self.n, || draw(&mut rng)).accepted();
-        for &depth in self.depths {
+        // Of two halves of a word: their tails are those of `halves`.
+        let in_halves = self.bits == 64 && matches!(id, Id::Disk | Id::SphereShell);
+        for &depth in self.depths.iter().filter(|_| !in_halves) {
             examine_tail(
                 claim,
                 depth,
@@ -57,12 +60,14 @@ impl Laws {
 impl<T: Number> LawVisitor<T> for Laws {
     fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
         let claim = Claim::of(id, &law);
-        self.check(&claim, |mut rng| in_plane(law.sample(&mut rng)));
+        self.check(id, &claim, |mut rng| in_plane(law.sample(&mut rng)));
     }
 
     fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
         let claim = Claim::of(id, &law);
-        self.check(&claim, |mut rng| in_space(Spatial::sample(&law, &mut rng)));
+        self.check(id, &claim, |mut rng| {
+            in_space(Spatial::sample(&law, &mut rng))
+        });
     }
 }
 
