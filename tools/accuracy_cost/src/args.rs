@@ -35,11 +35,41 @@ pub(crate) struct Args {
     pub(crate) task: Option<Task>,
 }
 
+/// Where to search, and for how long.
+#[derive(Debug, clap::Args)]
+pub(crate) struct SearchArgs {
+    /// One law, such as Ball, instead of all.
+    #[arg(long)]
+    pub(crate) law: Option<String>,
+
+    /// Climb for one operation alone, by its name in docs/bounds.md.
+    #[arg(long)]
+    pub(crate) op: Option<String>,
+
+    /// One number type, such as f64; else those whose inputs are too many to try each.
+    #[arg(long = "type", value_name = "TYPE")]
+    pub(crate) number: Option<String>,
+
+    /// Time for each law in each number type.
+    #[arg(long, default_value_t = 10.0)]
+    pub(crate) seconds: f64,
+
+    /// Another seed searches elsewhere.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+
+    /// The worst inputs: those of an earlier search are judged again, and where it goes on from.
+    #[arg(long, default_value = "docs/measured/worst_inputs.json")]
+    pub(crate) out: PathBuf,
+}
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Task {
     /// What valgrind runs.
     #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
+    /// Searches for the inputs with the largest errors.
+    Search(SearchArgs),
     /// Prints the nanoseconds an element that Disk.quantile takes over a file of f64 (native bytes).
     DiskQuantile {
         /// The probabilities.

@@ -5,6 +5,7 @@ pub mod bounds;
 pub mod double;
 pub mod format;
 pub mod formula;
+pub mod found;
 pub mod inputs;
 pub mod inverse;
 pub mod long;

@@ -2,7 +2,7 @@
 
 use super::format::Format;
 use super::inputs::exponents;
-use super::measure::{sample, sweep};
+use super::measure::{Input, sample, sweep};
 use super::op::{OPERATIONS, Op};
 use super::reference::Id;
 use super::subject::{Subject, Tiers};
@@ -162,7 +162,8 @@ pub fn keys() -> Vec<Key> {
 
 /// Inputs that [`measure_all`] visits, up to rounding.
 pub fn total_inputs(stride: u64, samples: u64) -> u64 {
-    (f32::TOP_ANGLE + f32::HALF_BITS) / stride + 2 * (samples + 2 * (samples / 10))
+    let swept: u64 = Input::ALL.iter().map(|i| i.top::<f32>() / stride).sum();
+    swept + Input::ALL.len() as u64 * (samples + 2 * (samples / 10))
 }
 
 pub fn to_json(rows: &[Row]) -> serde_json::Result<String> {
