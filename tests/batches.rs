@@ -72,7 +72,7 @@ fn unary<T: Batch + Number, L: Law<T> + Named>(law: &L, width: &str) {
                 let part = &part[..len];
                 let mut out = vec![T::HALF; len];
                 assert_eq!(slice(law, part, &mut out), Ok(()));
-                let what = format!("{} {} {name}, {width}, {len}", L::NAME, T::NAME);
+                let what = format!("{} {} {name}, {width}, {len}", L::ID.name(), T::NAME);
                 same(&what, &out, part.iter().map(|&x| scalar(law, x)));
             }
         }
@@ -94,7 +94,7 @@ fn components<T: Batch + Number, L: Law<T> + Named>(law: &L, width: &str) {
     let inputs = numbers::<T>();
     let (cos, sin) = pairs::<T>();
     for len in LENGTHS.chain([inputs.len()]) {
-        let what = format!("{} {}, {width}, {len}", L::NAME, T::NAME);
+        let what = format!("{} {}, {width}, {len}", L::ID.name(), T::NAME);
         let u = &inputs[..len];
         let (mut a, mut b) = (vec![T::HALF; len], vec![T::HALF; len]);
         let out = CosSin {
@@ -114,7 +114,7 @@ fn components<T: Batch + Number, L: Law<T> + Named>(law: &L, width: &str) {
         );
     }
     for len in LENGTHS.chain([cos.len()]) {
-        let what = format!("{} {}, {width}, {len}", L::NAME, T::NAME);
+        let what = format!("{} {}, {width}, {len}", L::ID.name(), T::NAME);
         let at = CosSin {
             cos: &cos[..len],
             sin: &sin[..len],

@@ -15,7 +15,7 @@ fn draws<T: Batch + Number, L: Planar<T> + Named, R: Rng + Clone>(law: &L, rng: 
         let (mut sin, mut cos) = (vec![T::HALF; len], vec![T::HALF; len]);
         assert_eq!(law.sample_slice(&mut one, [&mut sin, &mut cos]), Ok(()));
         let scalar: Vec<_> = (0..len).map(|_| law.sample(&mut other)).collect();
-        let what = format!("{} {} sample, {width}, {len}", L::NAME, T::NAME);
+        let what = format!("{} {} sample, {width}, {len}", L::ID.name(), T::NAME);
         same(&what, &sin, scalar.iter().map(|d| d[0]));
         same(&what, &cos, scalar.iter().map(|d| d[1]));
         assert_eq!(one.next_u64(), other.next_u64(), "{what}: state");
@@ -30,7 +30,7 @@ fn words<T: Batch + Number, L: Planar<T> + Named>(law: &L, words: &[TailBits<T>]
             law.sample_from_bits_slice(words, [&mut sin, &mut cos]),
             Ok(())
         );
-        let what = format!("{} {} words, {width}, {len}", L::NAME, T::NAME);
+        let what = format!("{} {} words, {width}, {len}", L::ID.name(), T::NAME);
         let scalar: Vec<_> = words
             .iter()
             .map(|&word| law.sample_from_bits(word))

@@ -31,7 +31,7 @@ fn directions<T: Batch + Number, L: Spatial<T> + Named>(law: &L, width: &str) {
         );
         let scalar: Vec<_> = (0..len).map(|i| law.warp_direction([u[i], v[i]])).collect();
         for i in 0..3 {
-            let what = format!("{} {} direction {i}, {width}, {len}", L::NAME, T::NAME);
+            let what = format!("{} {} direction {i}, {width}, {len}", L::ID.name(), T::NAME);
             same(&what, &out[i], component(&scalar, i));
         }
     }
@@ -44,14 +44,14 @@ fn draws<T: Batch + Number, L: Spatial<T> + Named, R: Rng + Clone>(law: &L, rng:
         assert_eq!(law.sample_slice(&mut one, slices(&mut out)), Ok(()));
         let scalar: Vec<_> = (0..len).map(|_| law.sample(&mut other)).collect();
         for i in 0..3 {
-            let what = format!("{} {} sample {i}, {width}, {len}", L::NAME, T::NAME);
+            let what = format!("{} {} sample {i}, {width}, {len}", L::ID.name(), T::NAME);
             same(&what, &out[i], component(&scalar, i));
         }
         assert_eq!(
             one.next_u64(),
             other.next_u64(),
             "{} {}: state",
-            L::NAME,
+            L::ID.name(),
             T::NAME
         );
     }
@@ -74,7 +74,7 @@ fn words<T: Batch + Number, L: Spatial<T> + Named>(
             .map(|i| law.sample_from_bits(theta[i], phi[i]))
             .collect();
         for i in 0..3 {
-            let what = format!("{} {} words {i}, {width}, {len}", L::NAME, T::NAME);
+            let what = format!("{} {} words {i}, {width}, {len}", L::ID.name(), T::NAME);
             same(&what, &out[i], component(&scalar, i));
         }
     }
