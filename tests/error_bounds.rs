@@ -1,10 +1,12 @@
 //! Every operation against true values: sweeps against wider arithmetic.
 
+use coslobe::{Disk, Law};
 use kit::accuracy::bounds::broken;
 use kit::accuracy::format::Format;
 use kit::accuracy::inputs::exponents;
 use kit::accuracy::measure::{Input, judge, sample, sweep};
 use kit::accuracy::monotone;
+use kit::accuracy::part::Part;
 use kit::accuracy::reference::{self, Direction, Id};
 use kit::accuracy::rows::{Row, from_json, keys, measure_all, to_json};
 use kit::accuracy::subject::{Subject, Tiers};
@@ -18,14 +20,17 @@ fn holds<T: Format>(subjects: &[Subject<T>], tally: &Tally) {
 fn swept<T: Tiers>(ids: &[Id], stride: u64) {
     let subjects = Subject::<T>::all(ids);
     for input in Input::ALL {
-        holds(&subjects, &sweep(&subjects, input, stride, |_| ()));
+        holds(
+            &subjects,
+            &sweep(&subjects, input, stride, Part::WHOLE, |_| ()),
+        );
     }
 }
 
 fn sampled<T: Tiers>(ids: &[Id], n: u64) {
     let subjects = Subject::<T>::all(ids);
     for input in Input::ALL {
-        holds(&subjects, &sample(&subjects, input, n, |_| ()));
+        holds(&subjects, &sample(&subjects, input, n, Part::WHOLE, |_| ()));
     }
 }
 
@@ -119,24 +124,64 @@ fn short_angles_round_to_the_right_side() {
     holds(&subjects, &judge(&subjects, Input::Angle, &angles));
 }
 
+/// `cdf` and `sf` may step back between neighbours, by as much as `Law` says, and of `Precise` never.
+fn steps_back_by<F: Tiers>(n: u64) {
+    let all = Subject::<F>::all(&Id::FIXED).into_iter();
+    for s in all.filter(|s| monotone::promised(s.tier)) {
+        let (worst, at) = monotone::tails_step_back(&s, n);
+        println!("{} {:?}: {worst} ulp at {at:#x}", s.tier, s.id);
+        let allowed = if s.tier.starts_with("Precise") {
+            0.0
+        } else {
+            4.0
+        };
+        assert!(
+            worst <= allowed,
+            "{} {:?}: {worst} ulp at {at:#x}",
+            s.tier,
+            s.id
+        );
+    }
+}
+
+#[test]
+fn tails_step_back_by_ulps() {
+    steps_back_by::<f32>(200_001);
+    steps_back_by::<f64>(200_001);
+    let [theta, next] = [0x3fdf_ffff_fffb_6c2f, 0x3fdf_ffff_fffb_6c30].map(f64::from_bits);
+    assert!(Disk.sf(theta) < Disk.sf(next), "the docs may promise more");
+}
+
 #[test]
 fn quantiles_are_monotone_and_odd() {
-    never_steps_back(|s| monotone::strided(s, 101), f32::tiers);
-    never_steps_back(|s| monotone::sampled(s, 1_000_000), f64::tiers);
+    never_steps_back(|s| monotone::strided(s, 101, Part::WHOLE), f32::tiers);
+    never_steps_back(|s| monotone::sampled(s, 1_000_000, Part::WHOLE), f64::tiers);
 }
 
 #[test]
 #[ignore = "opt-in, minutes: cargo test --release --test error_bounds -- --ignored"]
 fn f32_quantiles_are_monotone_everywhere() {
-    never_steps_back(|s| monotone::strided(s, 1), f32::tiers);
+    never_steps_back(|s| monotone::strided(s, 1, Part::WHOLE), f32::tiers);
 }
 
 /// Threads may finish in any order; the table is the same, and JSON keeps it.
 #[test]
 fn measuring_twice_gives_the_same_rows() {
-    let rows = measure_all(100_003, 3000, |_| ());
-    assert_eq!(rows, measure_all(100_003, 3000, |_| ()));
+    let rows = measure_all(100_003, 3000, Part::WHOLE, |_| ());
+    assert_eq!(rows, measure_all(100_003, 3000, Part::WHOLE, |_| ()));
     assert_eq!(rows.iter().map(Row::key).collect::<Vec<_>>(), keys());
     let text = to_json(&rows).expect("JSON");
     assert_eq!(from_json(&text).expect("rows"), rows);
+}
+
+/// Parts that are merged in their order are the whole, to the last digit.
+#[test]
+fn parts_make_the_whole() {
+    let part = |index, of| measure_all(1_000_003, 300, Part { index, of }, |_| ());
+    let merged = (2..=3).fold(part(1, 3), |rows, index| {
+        let next = part(index, 3).into_iter();
+        let pairs = rows.into_iter().zip(next);
+        pairs.map(|(row, next)| row.merge(next)).collect()
+    });
+    assert_eq!(merged, part(1, 1));
 }

@@ -1,6 +1,7 @@
 //! Inputs found by attack, each of which once exceeded its cell of `docs/bounds.md`.
 
-use kit::accuracy::bounds::broken;
+use kit::accuracy::bounds::{allowed, broken};
+use kit::accuracy::found;
 use kit::accuracy::measure::{Input, judge};
 use kit::accuracy::reference::Id;
 use kit::accuracy::subject::{Subject, Tiers};
@@ -58,4 +59,38 @@ fn powers_beside_underflow<F: Tiers>() {
 fn subnormal_powers() {
     powers_beside_underflow::<f32>();
     powers_beside_underflow::<f64>();
+}
+
+/// What `accuracy_cost search` found, judged again.
+#[test]
+fn searched_inputs_are_within_their_cells() {
+    let text = include_str!("../docs/measured/worst_inputs.json");
+    let rows = found::from_json(text).expect("rows");
+    for law in Id::FIXED {
+        let searched = |tier: &str| rows.iter().any(|r| r.tier == tier && r.law == law.name());
+        assert!(searched("f64") && searched("Precise<f64>"), "{law:?}");
+    }
+    for row in rows {
+        let cell = allowed(&row.tier, &row.law, &row.operation).expect("a cell");
+        let error = row.again().expect("an input that exists");
+        assert!(error <= cell && row.error <= cell, "{row:?}: {error} today");
+    }
+}
+
+/// The README's figure of `f64` is the search's.
+#[test]
+fn the_headline_is_what_the_search_found() {
+    let text = include_str!("../docs/measured/worst_inputs.json");
+    let rows = found::from_json(text).expect("rows");
+    let fixed = rows
+        .iter()
+        .filter(|r| r.tier == "f64" && r.law != "CosPower");
+    let worst = fixed
+        .max_by(|a, b| a.error.total_cmp(&b.error))
+        .expect("rows of f64");
+    let headline = format!("{:.2} in `f64` (searched", worst.error);
+    assert!(
+        include_str!("../README.md").contains(&headline),
+        "{headline}: {worst:?}"
+    );
 }

@@ -5,6 +5,7 @@ use kit::accuracy::bounds::broken;
 use kit::accuracy::format::Format;
 use kit::accuracy::measure::{Input, sweep};
 use kit::accuracy::op::Op;
+use kit::accuracy::part::Part;
 use kit::accuracy::reference::Id;
 use kit::accuracy::spoiled::{Altered, Spoiled};
 use kit::accuracy::subject::Subject;
@@ -12,7 +13,7 @@ use kit::accuracy::tally::{Stat, Tally};
 
 fn rejects<T: Format>(spoiled: Spoiled, stride: u64) {
     let subjects = [Subject::<T>::planar::<T>(Id::Disk, spoiled)];
-    let tally = sweep(&subjects, Input::Angle, stride, |_| ());
+    let tally = sweep(&subjects, Input::Angle, stride, Part::WHOLE, |_| ());
     assert!(!broken(&subjects, &tally).is_empty());
 }
 
@@ -34,7 +35,7 @@ fn gross_errors() {
 #[test]
 fn a_wrong_exponent() {
     let subjects = [Subject::<f32>::planar::<f32>(Id::Lambert, SphereShell)];
-    let tally = sweep(&subjects, Input::Tail, 100_003, |_| ());
+    let tally = sweep(&subjects, Input::Tail, 100_003, Part::WHOLE, |_| ());
     assert!(!broken(&subjects, &tally).is_empty());
 }
 
@@ -44,7 +45,7 @@ fn tally_of(
     input: Input,
 ) -> (Vec<String>, Tally) {
     let subjects = [Subject::<f32>::planar::<f32>(id, law)];
-    let tally = sweep(&subjects, input, 1009, |_| ());
+    let tally = sweep(&subjects, input, 1009, Part::WHOLE, |_| ());
     (broken(&subjects, &tally), tally)
 }
 

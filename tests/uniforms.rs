@@ -219,3 +219,31 @@ fn azimuths_of_the_tiers() {
 fn f32_azimuths_exhaustive() {
     azimuths_within_bound(0..=u32::MAX, f32_azimuth_error);
 }
+
+/// Words beside each axis and diagonal whose components are 0 or equal.
+fn on_a_line<T: kit::Number>(of: impl Fn(u64) -> CosSin<T>, bits: u32) -> [usize; 2] {
+    let mut found = [0, 0];
+    for eighth in 0..8u64 {
+        for offset in 0..1 << 13 {
+            let word = (eighth << (bits - 3))
+                .wrapping_add(offset)
+                .wrapping_sub(1 << 12);
+            let CosSin { cos, sin } = of(word & (u64::MAX >> (64 - bits)));
+            found[0] += usize::from(cos == T::ZERO || sin == T::ZERO);
+            found[1] += usize::from(cos.abs() == sin.abs());
+        }
+    }
+    found
+}
+
+/// No azimuth is on an axis; those nearest to a diagonal round to it.
+#[test]
+fn azimuths_on_diagonals_are_counted() {
+    let single = on_a_line(|word| azimuth_from_bits::<f32>(word as u32), 32);
+    let precise = on_a_line(|word| azimuth_from_bits::<Precise<f32>>(word as u32), 32);
+    let double = on_a_line(azimuth_from_bits::<f64>, 64);
+    println!("{single:?} {precise:?} {double:?}");
+    assert_eq!([single, precise, double], [[0, 128], [0, 136], [0, 0]]);
+    let CosSin { cos, sin } = azimuth_from_bits::<f32>(0x1fff_fff0);
+    assert_eq!(cos, sin);
+}

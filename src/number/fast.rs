@@ -22,7 +22,7 @@ impl Holds<Fast<f32>> for Fast<f32> {
     }
 
     #[inline(always)]
-    fn from_direction(at: CosSin<Self>) -> CosSin<Self> {
+    fn by_the_smaller(at: CosSin<Self>) -> CosSin<Self> {
         at
     }
 }
@@ -80,8 +80,13 @@ impl Tier for Fast<f32> {
         Tails::from_nearer(Fast(p), is_upper)
     }
 
+    #[inline(always)]
+    fn quick_turn_from_bits(bits: u32) -> CosSin<Self> {
+        Self::accurate_turn_from_bits(bits)
+    }
+
     #[inline]
-    fn turn_from_bits(bits: u32) -> CosSin<Self> {
+    fn accurate_turn_from_bits(bits: u32) -> CosSin<Self> {
         fast(uniform::turn(bits))
     }
 }

@@ -14,6 +14,8 @@ pub enum Margin {
     Relative,
     /// In proportion to the larger of the result and 1.
     OfOne,
+    /// Nothing, where `f64` is the quick phase.
+    Unbounded,
 }
 
 /// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of
@@ -102,5 +104,14 @@ pub trait Tier: Scalar {
         bits
     }
     fn tails_from_bits(bits: Self::TailBits) -> Tails<Self>;
-    fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self>;
+    fn quick_turn_from_bits(bits: Self::TurnBits) -> CosSin<Self::Quick>;
+    fn accurate_turn_from_bits(bits: Self::TurnBits) -> CosSin<Self::Accurate>;
+    #[inline]
+    fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self> {
+        CosSin::from_array(Self::rounded(
+            Margin::Relative,
+            || Self::quick_turn_from_bits(bits).to_array(),
+            || Self::accurate_turn_from_bits(bits).to_array(),
+        ))
+    }
 }

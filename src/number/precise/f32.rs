@@ -79,6 +79,9 @@ impl Tier for Precise<f32> {
         quick: impl FnOnce() -> [f64; N],
         accurate: impl FnOnce() -> [Double; N],
     ) -> [Self; N] {
+        if margin == Margin::Unbounded {
+            return decide(accurate);
+        }
         let mut out = [Self::ZERO; N];
         for (out, y) in out.iter_mut().zip(quick()) {
             match decided(y, margin) {
@@ -115,13 +118,21 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn turn_from_bits(bits: u32) -> CosSin<Self> {
-        let (quadrant, part) = parts_of_turn(bits);
-        let x = f64::from(part) * power_of_two(-33);
-        CosSin::from_array(Self::rounded(
-            Margin::Relative,
-            || f64::at_quadrant(quadrant, x).to_array(),
-            || Double::at_quadrant(quadrant, Double::exact(x)).to_array(),
-        ))
+    fn quick_turn_from_bits(bits: u32) -> CosSin<f64> {
+        let (quadrant, x) = turn(bits);
+        f64::at_quadrant(quadrant, x)
     }
+
+    #[inline]
+    fn accurate_turn_from_bits(bits: u32) -> CosSin<Double> {
+        let (quadrant, x) = turn(bits);
+        Double::at_quadrant(quadrant, Double::exact(x))
+    }
+}
+
+/// (q, x): a uniform azimuth as q quarters and x turns, exactly.
+#[inline(always)]
+fn turn(bits: u32) -> (u32, f64) {
+    let (quadrant, part) = parts_of_turn(bits);
+    (quadrant, f64::from(part) * power_of_two(-33))
 }

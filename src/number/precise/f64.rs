@@ -107,15 +107,25 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn turn_from_bits(bits: u64) -> CosSin<Self> {
-        let (quadrant, part) = parts_of_turn(bits);
-        let hi = part as f64;
-        let lo = (part - hi as i64) as f64;
-        let x = Double { hi, lo } * Double::exact(power_of_two(-65));
-        CosSin::from_array(Self::rounded(
-            Margin::Relative,
-            || Double::at_quadrant(quadrant, x).to_array(),
-            || Scaled::at_quadrant(quadrant, Scaled::from_double(x)).to_array(),
-        ))
+    fn quick_turn_from_bits(bits: u64) -> CosSin<Double> {
+        let (quadrant, x) = turn(bits);
+        Double::at_quadrant(quadrant, x)
     }
+
+    fn accurate_turn_from_bits(bits: u64) -> CosSin<Scaled> {
+        let (quadrant, x) = turn(bits);
+        Scaled::at_quadrant(quadrant, Scaled::from_double(x))
+    }
+}
+
+/// (q, x): a uniform azimuth as q quarters and x turns, exactly.
+#[inline(always)]
+fn turn(bits: u64) -> (u32, Double) {
+    let (quadrant, part) = parts_of_turn(bits);
+    let hi = part as f64;
+    let lo = (part - hi as i64) as f64;
+    (
+        quadrant,
+        Double { hi, lo } * Double::exact(power_of_two(-65)),
+    )
 }

@@ -1,6 +1,7 @@
 //! What the command line may say.
 
 use clap::{Parser, Subcommand};
+use kit::accuracy::part::Part;
 use std::path::PathBuf;
 
 /// Measures errors and costs of every operation, and writes tables and plots of both.
@@ -31,8 +32,24 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with_all = ["keep_errors", "errors"])]
     pub(crate) check: bool,
 
+    /// Measure errors alone, and of them the I-th of N parts, into part-I-of-N.json in the folder.
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["keep_errors", "errors", "check"])]
+    pub(crate) part: Option<Part>,
+
     #[command(subcommand)]
     pub(crate) task: Option<Task>,
+}
+
+/// Parts of a run.
+#[derive(Debug, clap::Args)]
+pub(crate) struct MergeArgs {
+    /// The files of all parts.
+    #[arg(required = true)]
+    pub(crate) parts: Vec<PathBuf>,
+
+    /// The errors of the whole run, for --errors.
+    #[arg(short, long, default_value = "docs/measured/accuracy_errors.json")]
+    pub(crate) out: PathBuf,
 }
 
 /// Where to search, and for how long.
@@ -68,6 +85,8 @@ pub(crate) enum Task {
     /// What valgrind runs.
     #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
+    /// Merges all parts of a run.
+    Merge(MergeArgs),
     /// Searches for the inputs with the largest errors.
     Search(SearchArgs),
     /// Prints the nanoseconds an element that Disk.quantile takes over a file of f64 (native bytes).

@@ -21,6 +21,7 @@ mod judged;
 mod machine;
 mod page;
 mod pareto;
+mod parts;
 mod peers;
 mod row;
 mod scipy;
@@ -44,12 +45,16 @@ fn main() -> ExitCode {
             count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty]));
             Ok(())
         }
+        Some(Task::Merge(args)) => parts::merge(args),
         Some(Task::Search(args)) => search::run(args),
         Some(Task::DiskQuantile { input, values }) => {
             disk_quantile::run(input, values.as_deref()).map_err(Into::into)
         }
-        None if args.check => check::run(),
-        None => study::run(&args),
+        None => match args.part {
+            Some(part) => parts::one(&args, part),
+            None if args.check => check::run(),
+            None => study::run(&args),
+        },
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

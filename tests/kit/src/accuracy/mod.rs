@@ -12,6 +12,7 @@ pub mod long;
 pub mod measure;
 pub mod monotone;
 pub mod op;
+pub mod part;
 pub mod reference;
 pub mod rows;
 pub mod spoiled;
