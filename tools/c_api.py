@@ -92,16 +92,14 @@ ARGUMENTS = {"angle": "theta", "pair": "at", "probability": "p"}
 
 
 def offered(op, number, law, size):
-    if op == "pdf_solid_angle":
-        return size == 3 and not number.is_integer
+    if op in ("pdf_solid_angle", "sample_around", "warp_direction"):
+        return size == 3
     if op in ("ln_pdf", "lambert_weight"):
         return not number.is_integer
     if op == "point":
         return law != "cos_power" and not number.is_integer
     if op == "self_test" and number.name == "q15":
         return False
-    if op in ("sample_around", "warp_direction"):
-        return size == 3 and not number.is_integer
     return True
 
 
@@ -200,7 +198,9 @@ def drawing(number, law, rust, size, op):
         arguments = [(f"{number.types['probability']} {x}", f"{x}: {number.rust['probability']}")
                      for x in ("p", "turn")] + [direction]
         u = ", ".join(number.new["probability"].format(x) for x in ("p", "turn"))
-        body = f"put(direction, {as_bits(f'Spatial::warp_direction(&{subject}, [{u}])')})"
+        call = (f"{subject}.warp_direction([{u}])" if number.is_integer
+                else f"Spatial::warp_direction(&{subject}, [{u}])")
+        body = f"put(direction, {as_bits(call)})"
     elif op == "point":
         arguments = [("float radius", "radius: f32"), rng,
                      (f"{component} point[{size}]", f"point: *mut [{r}; {size}]")]

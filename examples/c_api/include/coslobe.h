@@ -568,11 +568,16 @@ COSLOBE_CONST coslobe_density_q32 coslobe_circle_arc_density_q31(coslobe_cos_sin
 /* ball, uniform by volume in a ball: 2 cos^3(theta) / pi per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_ball_sample_around_q31(
+    const coslobe_q31 normal[3], const coslobe_rng *rng, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_ball_warp_direction_q31(
+    coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_ball_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_ball_pdf_q31(coslobe_turn_q32 theta);
+COSLOBE_CONST coslobe_density_q32 coslobe_ball_pdf_solid_angle_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_ball_cdf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_ball_sf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_turn_q32 coslobe_ball_quantile_q31(coslobe_probability_q32 p);
@@ -586,11 +591,17 @@ COSLOBE_CONST coslobe_density_q32 coslobe_ball_density_q31(coslobe_cos_sin_q31 a
 /* sphere_shell, radial shell on a sphere: 3 cos^2(theta) / (2 pi) per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_sphere_shell_sample_around_q31(
+    const coslobe_q31 normal[3], const coslobe_rng *rng, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_sphere_shell_warp_direction_q31(
+    coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_sphere_shell_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_pdf_q31(coslobe_turn_q32 theta);
+COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_pdf_solid_angle_q31(
+    coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_sphere_shell_cdf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_sphere_shell_sf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_turn_q32 coslobe_sphere_shell_quantile_q31(coslobe_probability_q32 p);
@@ -605,11 +616,16 @@ COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_density_q31(coslobe_cos_s
 /* lambert, uniform by area on a sphere: cos(theta) / pi per steradian, Lambert's law. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_lambert_sample_around_q31(
+    const coslobe_q31 normal[3], const coslobe_rng *rng, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_lambert_warp_direction_q31(
+    coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_lambert_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_lambert_pdf_q31(coslobe_turn_q32 theta);
+COSLOBE_CONST coslobe_density_q32 coslobe_lambert_pdf_solid_angle_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_lambert_cdf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_lambert_sf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_turn_q32 coslobe_lambert_quantile_q31(coslobe_probability_q32 p);
@@ -625,12 +641,20 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_cos_power_init_q31(
     coslobe_cos_power_q31 *law, coslobe_exponent_q16_16 exponent);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_cos_power_sample_q31(
     const coslobe_cos_power_q31 *law, const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3, 4)) int coslobe_cos_power_sample_around_q31(
+    const coslobe_cos_power_q31 *law, const coslobe_q31 normal[3], const coslobe_rng *rng,
+    coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_cos_power_fill_q31(
     const coslobe_cos_power_q31 *law, const coslobe_rng *rng, coslobe_q31 *directions,
     size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 4)) int coslobe_cos_power_warp_direction_q31(
+    const coslobe_cos_power_q31 *law, coslobe_probability_q32 p,
+    coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_cos_power_self_test_q31(
     const coslobe_cos_power_q31 *law, const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_NONNULL((1)) coslobe_density_q16_16 coslobe_cos_power_pdf_q31(
+    const coslobe_cos_power_q31 *law, coslobe_turn_q32 theta);
+COSLOBE_NONNULL((1)) coslobe_density_q16_16 coslobe_cos_power_pdf_solid_angle_q31(
     const coslobe_cos_power_q31 *law, coslobe_turn_q32 theta);
 COSLOBE_NONNULL((1)) coslobe_probability_q32 coslobe_cos_power_cdf_q31(
     const coslobe_cos_power_q31 *law, coslobe_turn_q32 theta);
@@ -705,9 +729,14 @@ COSLOBE_CONST coslobe_density_q16 coslobe_circle_arc_density_q15(coslobe_cos_sin
 /* ball, uniform by volume in a ball: 2 cos^3(theta) / pi per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_ball_sample_around_q15(
+    const coslobe_q15 normal[3], const coslobe_rng *rng, coslobe_q15 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_ball_warp_direction_q15(
+    coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
 COSLOBE_CONST coslobe_density_q16 coslobe_ball_pdf_q15(coslobe_turn_q16 theta);
+COSLOBE_CONST coslobe_density_q16 coslobe_ball_pdf_solid_angle_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_ball_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_ball_sf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_turn_q16 coslobe_ball_quantile_q15(coslobe_probability_q16 p);
@@ -721,9 +750,15 @@ COSLOBE_CONST coslobe_density_q16 coslobe_ball_density_q15(coslobe_cos_sin_q15 a
 /* sphere_shell, radial shell on a sphere: 3 cos^2(theta) / (2 pi) per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_sphere_shell_sample_around_q15(
+    const coslobe_q15 normal[3], const coslobe_rng *rng, coslobe_q15 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_sphere_shell_warp_direction_q15(
+    coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
 COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_pdf_q15(coslobe_turn_q16 theta);
+COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_pdf_solid_angle_q15(
+    coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_sphere_shell_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_sphere_shell_sf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_turn_q16 coslobe_sphere_shell_quantile_q15(coslobe_probability_q16 p);
@@ -738,9 +773,14 @@ COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_density_q15(coslobe_cos_s
 /* lambert, uniform by area on a sphere: cos(theta) / pi per steradian, Lambert's law. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_lambert_sample_around_q15(
+    const coslobe_q15 normal[3], const coslobe_rng *rng, coslobe_q15 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_lambert_warp_direction_q15(
+    coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
 COSLOBE_CONST coslobe_density_q16 coslobe_lambert_pdf_q15(coslobe_turn_q16 theta);
+COSLOBE_CONST coslobe_density_q16 coslobe_lambert_pdf_solid_angle_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_lambert_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_lambert_sf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_turn_q16 coslobe_lambert_quantile_q15(coslobe_probability_q16 p);

@@ -261,6 +261,21 @@ pub unsafe extern "C" fn coslobe_ball_sample_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_sample_around_q15(
+    normal: *const [i16; 3],
+    rng: *const Generator,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed16(Ball)
+                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_ball_fill_q15(
     rng: *const Generator,
     directions: *mut [i16; 3],
@@ -275,8 +290,31 @@ pub unsafe extern "C" fn coslobe_ball_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_warp_direction_q15(
+    p: u16,
+    turn: u16,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed16(Ball)
+                .warp_direction([U0F16::from_bits(p), U0F16::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_ball_pdf_q15(theta: i16) -> u16 {
     Fixed16(Ball).pdf(I0F16::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_ball_pdf_solid_angle_q15(theta: i16) -> u16 {
+    Fixed16(Ball)
+        .pdf_solid_angle(I0F16::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
@@ -337,6 +375,21 @@ pub unsafe extern "C" fn coslobe_sphere_shell_sample_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_sample_around_q15(
+    normal: *const [i16; 3],
+    rng: *const Generator,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed16(SphereShell)
+                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_sphere_shell_fill_q15(
     rng: *const Generator,
     directions: *mut [i16; 3],
@@ -351,8 +404,31 @@ pub unsafe extern "C" fn coslobe_sphere_shell_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_warp_direction_q15(
+    p: u16,
+    turn: u16,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed16(SphereShell)
+                .warp_direction([U0F16::from_bits(p), U0F16::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_sphere_shell_pdf_q15(theta: i16) -> u16 {
     Fixed16(SphereShell).pdf(I0F16::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_sphere_shell_pdf_solid_angle_q15(theta: i16) -> u16 {
+    Fixed16(SphereShell)
+        .pdf_solid_angle(I0F16::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
@@ -413,6 +489,21 @@ pub unsafe extern "C" fn coslobe_lambert_sample_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_sample_around_q15(
+    normal: *const [i16; 3],
+    rng: *const Generator,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed16(Lambert)
+                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_lambert_fill_q15(
     rng: *const Generator,
     directions: *mut [i16; 3],
@@ -427,8 +518,31 @@ pub unsafe extern "C" fn coslobe_lambert_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_warp_direction_q15(
+    p: u16,
+    turn: u16,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed16(Lambert)
+                .warp_direction([U0F16::from_bits(p), U0F16::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_lambert_pdf_q15(theta: i16) -> u16 {
     Fixed16(Lambert).pdf(I0F16::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_lambert_pdf_solid_angle_q15(theta: i16) -> u16 {
+    Fixed16(Lambert)
+        .pdf_solid_angle(I0F16::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
