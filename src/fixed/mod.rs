@@ -141,6 +141,7 @@ mod lambert;
 mod law;
 mod place;
 mod planar;
+mod planes;
 mod q15;
 mod q31;
 mod spatial;
@@ -148,5 +149,8 @@ mod sphere_shell;
 mod tails;
 
 pub use cos_power::CosPower;
+pub(crate) use format::{Component, Format};
 pub use frame::FixedFrame;
-pub use integers::{Fixed, Fixed16, Fixed16Law, FixedLaw, Integers, cos_sin};
+pub use integers::{Fixed, Fixed16, Integers, cos_sin};
+pub(crate) use law::Formulas;
+pub use planes::{Fixed16Law, Fixed16Planar, Fixed16Spatial, FixedLaw, FixedPlanar, FixedSpatial};
