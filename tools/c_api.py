@@ -53,7 +53,7 @@ class Number:
 def floats(name, title, new, get):
     roles = ("component", "probability", "angle", "density", "weight", "radius", "exponent")
     return Number(name, title, dict.fromkeys(roles, "float"), dict.fromkeys(roles, "f32"),
-                  dict.fromkeys(roles, new), get, 12)
+                  dict.fromkeys(roles, new), get, 16)
 
 
 NUMBERS = [
@@ -68,7 +68,7 @@ NUMBERS = [
             "exponent": "u32"},
            {"component": "I1F31::from_bits({})", "probability": "U0F32::from_bits({})",
             "angle": "I0F32::from_bits({})", "exponent": "U16F16::from_bits({})"},
-           "{}.to_bits()", 8),
+           "{}.to_bits()", 10),
     Number("q15", "16-bit integers: a third of the instructions on a Cortex-M0",
            {"component": "coslobe_q15", "probability": "coslobe_probability_q16",
             "angle": "coslobe_turn_q16", "density": "coslobe_density_q16"},

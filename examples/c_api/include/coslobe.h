@@ -116,7 +116,7 @@ extern "C" {
 
 /* The law cos_power with its constants: coslobe_cos_power_init_f32 fills it in. */
 typedef struct coslobe_cos_power_f32 {
-    uint32_t state[12];
+    uint32_t state[16];
 } coslobe_cos_power_f32;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */
@@ -311,7 +311,7 @@ COSLOBE_NONNULL((1)) float coslobe_cos_power_lambert_weight_f32(
 
 /* The law cos_power with its constants: coslobe_cos_power_init_fast fills it in. */
 typedef struct coslobe_cos_power_fast {
-    uint32_t state[12];
+    uint32_t state[16];
 } coslobe_cos_power_fast;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */
@@ -507,7 +507,7 @@ COSLOBE_NONNULL((1)) float coslobe_cos_power_lambert_weight_fast(
 
 /* The law cos_power with its constants: coslobe_cos_power_init_q31 fills it in. */
 typedef struct coslobe_cos_power_q31 {
-    uint32_t state[8];
+    uint32_t state[10];
 } coslobe_cos_power_q31;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */

@@ -23,7 +23,7 @@ fn pair(at: Pair<i32>) -> CosSin<I1F31> {
 }
 
 /// `coslobe_cos_power_q31` of the header.
-pub type Lobe = Handle<Fixed<CosPower>, 8>;
+pub type Lobe = Handle<Fixed<CosPower>, 10>;
 const NO_PAIR: Pair<i32> = Pair { cos: 0, sin: 0 };
 
 #[unsafe(no_mangle)]
