@@ -53,7 +53,7 @@ class Number:
 def floats(name, title, new, get):
     roles = ("component", "probability", "angle", "density", "weight", "radius", "exponent")
     return Number(name, title, dict.fromkeys(roles, "float"), dict.fromkeys(roles, "f32"),
-                  dict.fromkeys(roles, new), get, 16)
+                  dict.fromkeys(roles, new), get, 24)
 
 
 NUMBERS = [
@@ -98,8 +98,6 @@ def offered(op, number, law, size):
         return not number.is_integer
     if op == "point":
         return law != "cos_power" and not number.is_integer
-    if op == "self_test" and number.name == "q15":
-        return False
     return True
 
 
@@ -211,10 +209,9 @@ def drawing(number, law, rust, size, op):
                 f"draw(rng, point, |words| {call}), Err(_) => RADIUS }}")
     else:  # self_test
         arguments = [rng, ("coslobe_fault *fault", "fault: *mut CFault")]
-        check = {"q31": f"fixed({subject})", "q15": f"fixed16({subject})"}.get(
-            number.name, f"{trait.lower()}::<{'f32' if number.name == 'f32' else 'Fast<f32>'}, _>"
-                         f"({subject})")
-        body = f"judge(rng, fault, self_test::{check})"
+        real = "f32" if number.name == "f32" else "Fast<f32>"
+        test = "fixed" if number.is_integer else f"{trait.lower()}::<{real}, _>"
+        body = f"judge(rng, fault, self_test::{test}({subject}))"
     if law == "cos_power":
         body = f"with(law, NULL_POINTER, |law| {{ {body} }})"
     kind = f"{op}{size}_{number.base}" if op != "self_test" else "self_test"
@@ -283,7 +280,7 @@ def rust_file(number):
            "q15": "use coslobe::Fixed16;\nuse fixed::types::{I0F16, I1F15, U0F16};\n"}
     common = ("use crate::boundary::*;\nuse core::ffi::c_int;\n"
               "use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, SphereShell};\n"
-              + ("" if number.name == "q15" else "use coslobe::self_test;\n"))
+              "use coslobe::self_test;\n")
     real = ("use coslobe::{CosPower, Law, Planar, PlanarPoint, Radius, Spatial, SpatialPoint};\n")
     fast = "use coslobe::Fast;\n" if number.name == "fast" else ""
     text = f"//! {number.title[0].upper()}{number.title[1:]}; {MADE}.\n\n{common}"

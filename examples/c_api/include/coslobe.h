@@ -116,7 +116,7 @@ extern "C" {
 
 /* The law cos_power with its constants: coslobe_cos_power_init_f32 fills it in. */
 typedef struct coslobe_cos_power_f32 {
-    uint32_t state[16];
+    uint32_t state[24];
 } coslobe_cos_power_f32;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */
@@ -311,7 +311,7 @@ COSLOBE_NONNULL((1)) float coslobe_cos_power_lambert_weight_f32(
 
 /* The law cos_power with its constants: coslobe_cos_power_init_fast fills it in. */
 typedef struct coslobe_cos_power_fast {
-    uint32_t state[16];
+    uint32_t state[24];
 } coslobe_cos_power_fast;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */
@@ -682,6 +682,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_disk_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_disk_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_disk_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_disk_sf_q15(coslobe_turn_q16 theta);
@@ -698,6 +700,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_shell_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_shell_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_shell_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_shell_sf_q15(coslobe_turn_q16 theta);
@@ -715,6 +719,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_arc_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_arc_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_arc_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_arc_sf_q15(coslobe_turn_q16 theta);
@@ -735,6 +741,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_ball_warp_direction_q15(
     coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_ball_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_ball_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_density_q16 coslobe_ball_pdf_solid_angle_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_ball_cdf_q15(coslobe_turn_q16 theta);
@@ -756,6 +764,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_sphere_shell_warp_direction_q15(
     coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_sphere_shell_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_pdf_solid_angle_q15(
     coslobe_turn_q16 theta);
@@ -779,6 +789,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_lambert_warp_direction_q15(
     coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_lambert_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_lambert_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_density_q16 coslobe_lambert_pdf_solid_angle_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_lambert_cdf_q15(coslobe_turn_q16 theta);

@@ -31,7 +31,7 @@ fn q31_in_space<L: FixedLaw<Direction = [I1F31; 3]> + Copy>(
     l: Fixed<L>,
     density: fn(L::Density) -> u32,
 ) where
-    InFixed<L>: Subject,
+    InFixed<Fixed<L>>: Subject,
 {
     q31(lines, law, l, density);
     let bits = |d: [I1F31; 3]| d.map(|x| x.to_bits().cast_unsigned()).to_vec();
@@ -53,7 +53,9 @@ fn q15_in_space<L: Fixed16Law<Direction = [I1F15; 3]> + Copy>(
     lines: &mut Lines,
     law: &str,
     l: Fixed16<L>,
-) {
+) where
+    InFixed<Fixed16<L>>: Subject,
+{
     q15(lines, law, l);
     let bits = |d: [I1F15; 3]| d.map(|x| x.to_bits().cast_unsigned().into()).to_vec();
     let angle = |x: u32| I0F16::from_bits(((x >> 16) as u16).cast_signed());
@@ -124,6 +126,7 @@ fn q31<L: FixedLaw + Copy>(
 
 fn q15<L: Fixed16Law + Copy>(lines: &mut Lines, law: &str, l: Fixed16<L>)
 where
+    InFixed<Fixed16<L>>: Subject,
     L::Direction: IntoIterator<Item = I1F15>,
 {
     // C's test sees a component by its 16 bits.
@@ -168,6 +171,7 @@ where
     let draw = |rng: &mut Pcg32| l.sample(rng).into_iter().map(component).collect();
     lines.draws(law, "sample", "q15", sixteen(draw));
     lines.draws(law, "fill", "q15", filled(draw));
+    lines.self_test(law, "q15", self_test::fixed(l));
 }
 
 fn pairs() -> impl Iterator<Item = [u32; 2]> {

@@ -3,6 +3,7 @@
 use crate::boundary::*;
 use core::ffi::c_int;
 use coslobe::Fixed16;
+use coslobe::self_test;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, SphereShell};
 use fixed::types::{I0F16, I1F15, U0F16};
 
@@ -44,6 +45,14 @@ pub unsafe extern "C" fn coslobe_disk_fill_q15(
             Fixed16(Disk).sample(words).map(|x| x.to_bits())
         })
     }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_disk_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(Disk))) }
 }
 
 #[unsafe(no_mangle)]
@@ -123,6 +132,14 @@ pub unsafe extern "C" fn coslobe_circle_shell_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_circle_shell_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(CircleShell))) }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_circle_shell_pdf_q15(theta: i16) -> u16 {
     Fixed16(CircleShell).pdf(I0F16::from_bits(theta)).to_bits()
 }
@@ -196,6 +213,14 @@ pub unsafe extern "C" fn coslobe_circle_arc_fill_q15(
             Fixed16(CircleArc).sample(words).map(|x| x.to_bits())
         })
     }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_circle_arc_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(CircleArc))) }
 }
 
 #[unsafe(no_mangle)]
@@ -303,6 +328,14 @@ pub unsafe extern "C" fn coslobe_ball_warp_direction_q15(
                 .map(|x| x.to_bits()),
         )
     }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(Ball))) }
 }
 
 #[unsafe(no_mangle)]
@@ -420,6 +453,14 @@ pub unsafe extern "C" fn coslobe_sphere_shell_warp_direction_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(SphereShell))) }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_sphere_shell_pdf_q15(theta: i16) -> u16 {
     Fixed16(SphereShell).pdf(I0F16::from_bits(theta)).to_bits()
 }
@@ -531,6 +572,14 @@ pub unsafe extern "C" fn coslobe_lambert_warp_direction_q15(
                 .map(|x| x.to_bits()),
         )
     }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(Lambert))) }
 }
 
 #[unsafe(no_mangle)]
