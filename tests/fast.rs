@@ -200,3 +200,15 @@ fn fast_has_no_density_below_the_horizon() {
         assert!(none(&CosPower::new(Fast(7.3)).expect("valid"), at));
     }
 }
+
+/// The largest scales meet the smallest powers: once 0 for 5.9e-39.
+#[test]
+fn fast_density_of_a_large_exponent_is_not_lost() {
+    let law = CosPower::new(Fast(f32::from_bits(0x7f63_f798))).expect("a valid exponent");
+    let at = CosSin {
+        cos: Fast(1.0),
+        sin: Fast(f32::from_bits(0x219e_822b)),
+    };
+    let density = f64::from(law.density(at).0);
+    assert!((density / 5.9e-39 - 1.0).abs() < 0.01, "{density:e}");
+}

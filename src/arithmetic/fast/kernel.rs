@@ -37,8 +37,9 @@ fn at_angle_fine(theta: Fast<f32>) -> CosSin<Fast<f32>> {
 /// c·eᵃ where eᵃ alone would leave the range of the format.
 #[cold]
 fn far_exp_times(a: f32, c: Fast<f32>) -> Fast<f32> {
-    let half = Fast(power::exp(a * 0.5));
-    (c * half) * half
+    // In quarters: half of −191, which with the largest c still gives a number, is beyond exp.
+    let quarter = Fast(power::exp(a * 0.25));
+    c * quarter * quarter * quarter * quarter
 }
 
 const fn constant(pair: Pair<f32>) -> Fast<f32> {
