@@ -41,11 +41,11 @@ fn weighted<T: Native>(n: Pair<T>) -> Pair<T> {
 /// (∫ cosⁿθ, ∫ θ cosⁿθ).
 pub(crate) fn cosine_integrals<T: Native>(n: Pair<T>) -> (Pair<T>, Pair<T>) {
     let steps = if n.hi < T::int(32) {
-        (T::int(33) - n.hi).to_u32() / 2 + 1
+        ((T::int(33) - n.hi).to_u32() / 2).wrapping_add(1)
     } else {
         0
     };
-    let mut top = n.add(Pair::exact(T::int(2 * steps as i16)));
+    let mut top = n.add(Pair::exact(T::int((steps as i16).wrapping_mul(2))));
     let (mut plain, mut weighted) = (plain(top), weighted(top));
     for _ in 0..steps {
         let ratio = top.div(top.add(Pair::exact(-T::ONE)));
