@@ -16,6 +16,10 @@ fn excess(law: &impl Law<Fast<f32>>, bits: u32) -> Option<f64> {
     let at = law.warp_tails(tails_from_bits(bits));
     let density = law.density(at).0;
     let (cos, sin) = wide(at);
+    assert!(
+        cos <= 1.0 && sin.abs() <= 1.0,
+        "{bits:#010x}: {cos}, {sin}: components once reached 1.000108"
+    );
     let inside = cos > 0.0 && density > 0.0 && density.is_finite();
     inside.then_some(cos * cos + sin * sin - 1.0)
 }
