@@ -55,6 +55,10 @@ fn every_tail(name: &str, law: &impl Law<Fast<f32>>, stride: usize) -> f64 {
 fn every_turn(stride: usize) -> f64 {
     let worst = words_in_strides(stride).fold(0.0, |worst: f64, bits| {
         let (cos, sin) = wide(azimuth_from_bits::<Fast<f32>>(bits));
+        assert!(
+            cos.abs() <= 1.0 && sin.abs() <= 1.0,
+            "{bits:#010x}: {cos}, {sin}"
+        );
         worst.max((cos * cos + sin * sin - 1.0).abs())
     });
     println!("azimuth: |cos² + sin² − 1| ≤ 2^{:.2}", worst.log2());

@@ -2,6 +2,7 @@
 
 use super::Fast;
 use crate::arithmetic::constants::Constants;
+use crate::arithmetic::fast::fixed::at_most_one;
 use crate::arithmetic::fast::{angle, kepler, power, root};
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::logarithmic::{self, Logarithmic};
@@ -195,7 +196,7 @@ impl Kernel for Fast<f32> {
             Scalar::sqrt(Self::one_minus_exp(a + a))
         };
         CosSin {
-            cos: Self::exp_times(a, Self::ONE),
+            cos: Fast(at_most_one(Self::exp_times(a, Self::ONE).0)),
             sin,
         }
     }
