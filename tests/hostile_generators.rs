@@ -1,3 +1,5 @@
+//! Promise: bounded work, whatever the generator.
+//!
 //! Stuck and hostile generators: every sampler ends, draws its documented words and keeps its promises.
 
 use coslobe::{CosSin, Fast, Law, Measure, Planar, Precise, Radius, Spatial, Tails, uniform};

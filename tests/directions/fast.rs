@@ -78,7 +78,7 @@ fn fast_in_strides() {
 }
 
 #[test]
-#[ignore = "opt-in, minutes: cargo test --release --test fast -- --ignored --nocapture"]
+#[ignore = "opt-in, minutes: cargo test --release --test directions -- --ignored --nocapture"]
 fn fast_for_every_word() {
     fast_keeps_its_promises(1);
 }

@@ -39,8 +39,8 @@ fn rows(table: &'static str) -> Vec<Row> {
 }
 
 fn arb() -> Vec<Row> {
-    let mut all = rows(include_str!("reference/angles.csv"));
-    all.extend(rows(include_str!("reference/tails.csv")));
+    let mut all = rows(include_str!("../reference/angles.csv"));
+    all.extend(rows(include_str!("../reference/tails.csv")));
     assert!(all.len() > 7000);
     all
 }

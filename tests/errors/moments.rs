@@ -26,7 +26,7 @@ fn moments<T: Real>(law: &str, round: impl Fn(f64) -> T) -> Moments<T> {
 /// The fixed laws' moments are constants, correctly rounded. `CosPower` computes them: its variance
 /// of θ is the difference of two sums, its entropy crosses zero, its k is rounded to the format.
 fn agrees<T: Real>(epsilon: f64, round: impl Fn(f64) -> T, wide: impl Fn(T) -> f64) {
-    let table = include_str!("reference/moments.csv");
+    let table = include_str!("../reference/moments.csv");
     let mut checked = 0;
     for line in table.lines().filter(|l| !l.starts_with('#')) {
         let cells: Vec<_> = line.split(',').collect();
@@ -77,7 +77,7 @@ fn f32_moments() {
 /// `f64`. `Precise<f64>` does so as well, and so has `f64`'s own errors there.
 #[test]
 fn precise_f32_moments_of_a_lobe_are_the_nearest() {
-    let table = include_str!("reference/moments.csv");
+    let table = include_str!("../reference/moments.csv");
     let mut checked = 0;
     for line in table.lines().filter(|l| l.starts_with("CosPower")) {
         let cells: Vec<_> = line.split(',').collect();

@@ -34,7 +34,7 @@ fn lines(table: &str) -> impl Iterator<Item = Vec<&str>> {
 }
 
 fn tiny() -> Vec<Row<'static>> {
-    lines(include_str!("reference/tiny.csv"))
+    lines(include_str!("../reference/tiny.csv"))
         .map(|cells| Row {
             law: cells[0],
             operation: cells[1],
@@ -51,8 +51,8 @@ fn tiny() -> Vec<Row<'static>> {
 /// The tables that judge the plain formats, as far as their trailing words hold.
 fn ordinary() -> Vec<Row<'static>> {
     let tables = [
-        include_str!("reference/angles.csv"),
-        include_str!("reference/tails.csv"),
+        include_str!("../reference/angles.csv"),
+        include_str!("../reference/tails.csv"),
     ];
     let rows = tables.into_iter().flat_map(lines).map(|cells| {
         let (value, lo) = (number(cells[3]), number(cells[4]));

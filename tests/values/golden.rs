@@ -1,7 +1,7 @@
 //! Value stability: the bits of every law's samples and functions, as committed in `golden/values.txt`.
 //!
 //! A mismatch is a value-breaking change. If it is meant, mark it "value-breaking" in the changelog
-//! and regenerate the file: `COSLOBE_BLESS=1 cargo test --test golden`.
+//! and regenerate the file: `COSLOBE_BLESS=1 cargo test --test values`.
 
 use coslobe::rand_core::Rng;
 use coslobe::{Fast, Law, Precise, Spatial};
@@ -138,6 +138,6 @@ fn values_are_stable() {
     assert!(
         changes.is_empty() && rest == 0,
         "value-breaking change ({rest} golden lines without a value):\n{changes}If it is meant: mark it \
-         \"value-breaking\" in the changelog and run COSLOBE_BLESS=1 cargo test --test golden"
+         \"value-breaking\" in the changelog and run COSLOBE_BLESS=1 cargo test --test values"
     );
 }
