@@ -14,8 +14,8 @@
 //! | [`Lambert`] = [`SphereArea`] | surface area | cos θ / π sr⁻¹ | sin²θ | cos θ = u^½ |
 //! | [`CosPower`] | – | (k+1) cosᵏθ / 2π sr⁻¹ | 1 − cosᵏ⁺¹θ | cos θ = u^(1/(k+1)) |
 //!
-//! θ is the angle from +y: the disk or ball of radius ρ is centred at (0, ρ) or (0, ρ, 0), and a ray
-//! at θ leaves it at r = 2ρ cos θ.
+//! θ is the angle from +y: the disk or ball of radius ρ is centred at (0, ρ) or (0, ρ, 0), and a
+//! ray at θ leaves it at r = 2ρ cos θ.
 //!
 //! ```
 //! use coslobe::{Lambert, Law, Spatial};
@@ -45,8 +45,9 @@
 //! assert!((plain - exact).abs() <= 2e-7 && (fast - exact).abs() < 3e-4);
 //! ```
 //!
-//! What each costs is in [`accuracy`], measured beside its errors. Where there is no floating-point unit, `Fixed(Disk)`
-//! (feature `fixed`) is the same law in integers alone, `Fixed16(Disk)` in 16 bits. [`self_test`] is a self-test for power-on.
+//! What each costs is in [`accuracy`], measured beside its errors. Where there is no
+//! floating-point unit, `Fixed(Disk)` (feature `fixed`) is the same law in integers alone,
+//! `Fixed16(Disk)` in 16 bits. [`self_test`] is a self-test for power-on.
 //!
 //! # Where to enter
 //!
@@ -58,10 +59,11 @@
 //!
 //! # Promises
 //!
-//! No allocation, no panic, no static memory, no unsafe code, no loop that a generator could hold up.
-//! The errors of every operation are within the table in [`accuracy`], which the tests read.
-//! Samples are unit vectors to 2 ulp (of [`Fast`]: to 2⁻¹²), inside the open support, with positive
-//! finite density. `f32` and `Fast<f32>` use no `f64` arithmetic. No feature changes a value.
+//! No allocation, no panic, no static memory, no unsafe code, no loop that a generator could hold
+//! up. The errors of every operation are within the table in [`accuracy`], which the tests read.
+//! Samples are unit vectors to 2 ulp (of [`Fast`]: to 2⁻¹²), inside the open support, with
+//! positive finite density. `f32` and `Fast<f32>` use no `f64` arithmetic. No feature changes a
+//! value.
 //!
 //! Source of the laws: V. Chizhov, *Probability density functions of the normalized disk, circle,
 //! ball and sphere*; [`SphereShell`] and [`CircleShell`] say where its measure differs from its
@@ -83,6 +85,7 @@ mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 mod frame;
+mod generator;
 pub mod integration;
 mod law;
 mod moments;
@@ -100,13 +103,14 @@ pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
 pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
+pub use generator::{FromFn, TryFromFn, from_fn, try_from_fn};
 pub use law::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Planar, Spatial,
-    SphereArea, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Measure, Planar,
+    Spatial, SphereArea, SphereShell,
 };
 pub use moments::Moments;
 pub use number::{Fast, Precise, Real};
-pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
+pub use point::{PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
 pub use sample::Sample;
 pub use tails::Tails;

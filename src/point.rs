@@ -1,10 +1,10 @@
 //! The point before it was normalised.
 
 use crate::arithmetic::holds::Holds;
-use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::law::Point;
 use crate::number::Real;
 use crate::number::tier::Margin;
-use crate::{CosSin, Law, Planar, Spatial, uniform};
+use crate::{CosSin, Law, Measure, Planar, Spatial, uniform};
 use core::fmt;
 use rand_core::Rng;
 
@@ -64,24 +64,6 @@ impl<T: Real> Radius<T> {
     }
 }
 
-/// By which measure the point is uniform, and so what its density is per.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Measure {
-    /// Area of the disk.
-    Area,
-    /// Arc length of the circle.
-    ArcLength,
-    /// Radial shell on the circle: dr dθ.
-    CircleShell,
-    /// Volume of the ball.
-    Volume,
-    /// Area of the sphere.
-    SurfaceArea,
-    /// Radial shell on the sphere: dr dθ dφ.
-    SphereShell,
-}
-
 /// Laws whose direction comes from a point of the tangent disk, circle, ball or sphere.
 ///
 /// The point lies at distance r from the origin: r = 2ρ cos θ on the curve or surface,
@@ -93,32 +75,9 @@ pub trait Tangent<T: Real>: Law<T> {
     /// Distance r of the point in direction `at`, for a uniform v in \[0, 1\] that only
     /// [`Measure::Area`] and [`Measure::Volume`] read.
     ///
-    /// No product on the way is smaller than r, so that only an r below the smallest number becomes 0.
-    /// Error < 4 ulp; of `Precise` at most 0.55.
-    #[inline]
-    fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T {
-        let (rho, cos) = (rho.get(), at.cos);
-        let [r] = T::rounded(
-            Margin::Relative,
-            || {
-                [distance::<T::Quick>(
-                    Self::MEASURE,
-                    Holds::from_number(rho),
-                    Holds::from_number(cos),
-                    Holds::from_number(v),
-                )]
-            },
-            || {
-                [distance::<T::Accurate>(
-                    Self::MEASURE,
-                    Holds::from_number(rho),
-                    Holds::from_number(cos),
-                    Holds::from_number(v),
-                )]
-            },
-        );
-        r
-    }
+    /// No product on the way is smaller than r, so that only an r below the smallest number
+    /// becomes 0. Error < 4 ulp; of `Precise` at most 0.55.
+    fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T;
 
     /// Joint density of the point at distance `r` in direction `at`, per unit of
     /// [`MEASURE`](Tangent::MEASURE).
@@ -128,62 +87,77 @@ pub trait Tangent<T: Real>: Law<T> {
     /// which is the law's pdf. On curves, surfaces and shells `r` is not read. Overflows or
     /// underflows only where the value itself does: see
     /// [`ln_point_density`](Tangent::ln_point_density). Error < 4 ulp; of `Precise` at most 0.55.
+    fn point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T;
+
+    /// Natural logarithm of [`point_density`](Tangent::point_density), finite for every radius, and
+    /// where the density underflows.
+    /// Error < 4 ulp of its largest term; of `Precise` at most 0.55.
+    fn ln_point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T;
+
+    /// Draws r for a direction; only disk and ball draw a word for it, as [`uniform::unit`].
+    fn sample_distance<R: Rng + ?Sized>(&self, rho: Radius<T>, at: CosSin<T>, rng: &mut R) -> T;
+}
+
+impl<T: Real, L: Point + Law<T>> Tangent<T> for L {
+    const MEASURE: Measure = L::MEASURE;
+
+    #[inline]
+    fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T {
+        let [r] = T::rounded(
+            Margin::Relative,
+            || [distance::<T, T::Quick, L>(rho, at, v)],
+            || [distance::<T, T::Accurate, L>(rho, at, v)],
+        );
+        r
+    }
+
     #[inline]
     fn point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
-        let radius = rho.get();
         let [value] = T::rounded(
             Margin::Relative,
             || {
-                [density::<T::Quick>(
-                    Self::MEASURE,
-                    Holds::from_number(radius),
+                [L::point_density::<T::Quick>(
+                    Holds::from_number(rho.get()),
                     Holds::from_components(at),
                 )]
             },
             || {
-                [density::<T::Accurate>(
-                    Self::MEASURE,
-                    Holds::from_number(radius),
+                [L::point_density::<T::Accurate>(
+                    Holds::from_number(rho.get()),
                     Holds::from_components(at),
                 )]
             },
         );
         // + 0 turns the −0 of a cosine −0 into +0.
-        inside(Self::MEASURE, rho, at, r, value, T::ZERO) + T::ZERO
+        on_ray::<T, L>(rho, at, r, value, T::ZERO) + T::ZERO
     }
 
-    /// Natural logarithm of [`point_density`](Tangent::point_density), finite for every radius, and
-    /// where the density underflows.
-    /// Error < 4 ulp of its largest term; of `Precise` at most 0.55.
     #[inline]
     fn ln_point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
-        let radius = rho.get();
         let [value] = T::rounded(
             Margin::OfOne,
             || {
-                [ln_density::<T::Quick>(
-                    Self::MEASURE,
-                    Holds::from_number(radius),
+                [L::ln_point_density::<T::Quick>(
+                    Holds::from_number(rho.get()),
                     Holds::from_components(at),
                 )]
             },
             || {
-                [ln_density::<T::Accurate>(
-                    Self::MEASURE,
-                    Holds::from_number(radius),
+                [L::ln_point_density::<T::Accurate>(
+                    Holds::from_number(rho.get()),
                     Holds::from_components(at),
                 )]
             },
         );
-        inside(Self::MEASURE, rho, at, r, value, -T::INFINITY)
+        on_ray::<T, L>(rho, at, r, value, -T::INFINITY)
     }
 
-    /// Draws r for a direction; only disk and ball draw a word for it, as [`uniform::unit`].
     #[inline]
     fn sample_distance<R: Rng + ?Sized>(&self, rho: Radius<T>, at: CosSin<T>, rng: &mut R) -> T {
-        let v = match Self::MEASURE {
-            Measure::Area | Measure::Volume => uniform::unit(rng),
-            _ => T::ONE,
+        let v = if L::IS_SOLID {
+            uniform::unit(rng)
+        } else {
+            T::ONE
         };
         self.distance(rho, at, v)
     }
@@ -191,65 +165,19 @@ pub trait Tangent<T: Real>: Law<T> {
 
 /// 2ρ cos θ, or a root of v of it: the product of the large factors first.
 #[inline]
-fn distance<W: Kernel>(measure: Measure, rho: W, cos: W, v: W) -> W {
-    let share = match measure {
-        Measure::Area => v.sqrt(),
-        Measure::Volume => v.cbrt(),
-        _ => W::ONE,
-    };
-    (rho + rho) * cos * share
-}
-
-#[inline]
-fn density<W: Kernel>(measure: Measure, rho: W, at: CosSin<W>) -> W {
-    let (recip_rho, recip_pi) = (W::ONE / rho, W::CONSTANTS.recip_pi.value());
-    let three_over_two_pi = W::CONSTANTS.three_over_two_pi.value();
-    match measure {
-        Measure::Area => recip_pi / rho * recip_rho,
-        Measure::ArcLength => recip_pi * W::HALF / rho,
-        Measure::CircleShell => at.cos * W::HALF,
-        Measure::Volume => three_over_two_pi * W::HALF / rho * recip_rho * recip_rho,
-        Measure::SurfaceArea => recip_pi * W::QUARTER / rho * recip_rho,
-        Measure::SphereShell => at.cos * at.cos * three_over_two_pi * at.sin,
-    }
-}
-
-#[inline]
-fn ln_density<W: Kernel>(measure: Measure, rho: W, at: CosSin<W>) -> W {
-    let ln_rho = rho.ln();
-    let (ln_pi, ln_2) = (W::CONSTANTS.ln_pi.value(), W::CONSTANTS.ln_2.value());
-    let ln_three_over_two_pi = W::CONSTANTS.ln_three_over_two_pi.value();
-    match measure {
-        Measure::Area => -(ln_pi + ln_rho * W::int(2)),
-        Measure::ArcLength => -(W::CONSTANTS.ln_two_pi.value() + ln_rho),
-        Measure::CircleShell => at.cos.ln() - ln_2,
-        Measure::Volume => ln_three_over_two_pi - (ln_2 + ln_rho * W::int(3)),
-        Measure::SurfaceArea => -(ln_pi + (ln_2 + ln_rho) * W::int(2)),
-        Measure::SphereShell => ln_three_over_two_pi + at.cos.ln() * W::int(2) + at.sin.ln(),
-    }
+fn distance<T: Real, W: Holds<T>, L: Point>(rho: Radius<T>, at: CosSin<T>, v: T) -> W {
+    let rho = W::from_number(rho.get());
+    (rho + rho) * W::from_number(at.cos) * L::share(W::from_number(v))
 }
 
 /// `value` where the ray has a point at `r` (or `r` is not read), `outside` elsewhere.
 #[inline]
-fn inside<T: Real>(
-    measure: Measure,
-    rho: Radius<T>,
-    at: CosSin<T>,
-    r: T,
-    value: T,
-    outside: T,
-) -> T {
-    let (solid, planar) = match measure {
-        Measure::Area => (true, true),
-        Measure::ArcLength | Measure::CircleShell => (false, true),
-        Measure::Volume => (true, false),
-        Measure::SurfaceArea | Measure::SphereShell => (false, false),
-    };
-    let on_ray = at.cos >= T::ZERO && (planar || at.sin >= T::ZERO);
-    let reached = !solid || (r >= T::ZERO && r <= (rho.get() + rho.get()) * at.cos);
+fn on_ray<T: Real, L: Point>(rho: Radius<T>, at: CosSin<T>, r: T, value: T, outside: T) -> T {
+    let is_ray = at.cos >= T::ZERO && (L::IS_PLANAR || at.sin >= T::ZERO);
+    let reached = !L::IS_SOLID || (r >= T::ZERO && r <= (rho.get() + rho.get()) * at.cos);
     if r.is_nan() || at.cos.is_nan() || at.sin.is_nan() {
         T::NAN
-    } else if on_ray && reached {
+    } else if is_ray && reached {
         value
     } else {
         outside

@@ -5,10 +5,10 @@ use crate::scalar::Scalar;
 
 /// A drawn direction with its cosine, sine and density.
 ///
-/// `at` and `density` are those of the angle that was drawn: they come before any rotation, so that
-/// cos θ > 0 and 0 < density < ∞ hold whatever the rotation rounds `direction` to. A renderer weighs
-/// the sample by them and never has to find cos θ again as a dot product, whose error of a few ulps
-/// of 1 may be all of a small cosine, or its sign.
+/// `at` and `density` are those of the angle that was drawn: they come before any rotation, so
+/// that cos θ > 0 and 0 < density < ∞ hold whatever the rotation rounds `direction` to. A renderer
+/// weighs the sample by them and never has to find cos θ again as a dot product, whose error of a
+/// few ulps of 1 may be all of a small cosine, or its sign.
 ///
 /// ```
 /// use coslobe::{Lambert, Spatial};

@@ -8,7 +8,8 @@ use crate::{CosSin, Tails};
 pub trait Holds<T: Scalar>: Kernel {
     fn from_number(x: T) -> Self;
 
-    /// The same probability: of its tails the nearer one is exact, the other is computed from it again.
+    /// The same probability: of its tails the nearer one is exact, the other is computed from it
+    /// again.
     #[inline(always)]
     fn from_tails(p: Tails<T>) -> Tails<Self> {
         let (p, is_lower) = p.nearer();
@@ -24,8 +25,8 @@ pub trait Holds<T: Scalar>: Kernel {
         }
     }
 
-    /// The direction that has the smaller component: the larger one is computed from it again, since its
-    /// rounding to `T` has moved the direction more.
+    /// The direction that has the smaller component: the larger one is computed from it again,
+    /// since its rounding to `T` has moved the direction more.
     #[inline(always)]
     fn from_direction(at: CosSin<T>) -> CosSin<Self> {
         let CosSin { cos, sin } = Self::from_components(at);

@@ -1,9 +1,10 @@
 //! Slices, element by element: the bits of the scalar calls, in loops that become vectors.
 //!
-//! Every function of a [`Law`](crate::Law) that ends in `_slice` runs through here. A block of arguments is
-//! laid out in arrays of known length; what is left over at the end is a block as well, filled up, so
-//! that all elements go the same way. A feature of its own, `simd`, chooses the widest vectors of
-//! the processor while the program runs ([`width`]); without it they are those compiled for.
+//! Every function of a [`Law`](crate::Law) that ends in `_slice` runs through here. A block of
+//! arguments is laid out in arrays of known length; what is left over at the end is a block as
+//! well, filled up, so that all elements go the same way. A feature of its own, `simd`, chooses
+//! the widest vectors of the processor while the program runs ([`width`]); without it they are
+//! those compiled for.
 
 mod lanes;
 #[cfg(feature = "simd")]
@@ -16,7 +17,8 @@ pub(crate) use lanes::{Lanes, PlanarDraws, SpatialDraws, Words};
 
 /// The number types of batches: [`prim@f32`], [`prim@f64`] and [`Fast<f32>`](Fast).
 ///
-/// [`Precise`](crate::Precise) is none of them: it decides anew for every number how exactly to compute.
+/// [`Precise`](crate::Precise) is none of them: it decides anew for every number how exactly to
+/// compute.
 pub trait Batch: Real {}
 
 impl Batch for f32 {}

@@ -1,5 +1,6 @@
 //! Real exponents.
 
+use super::drawn::Drawn;
 use super::kernel::halve;
 use super::kernel::mul::mul_high;
 use super::kernel::normal::{normal, normal_long};
@@ -13,7 +14,7 @@ use super::spatial;
 use super::tails::Tails;
 use crate::CosSin;
 use ::fixed::types::{I1F31, U16F16};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// The law ∝ cosᵏθ of [`CosPower`](crate::CosPower), its exponent k in fixed point from 0 to 65536
 /// − 2⁻¹⁶.
@@ -218,8 +219,8 @@ impl Formulas<Q31> for CosPower {
 
     /// cos θ = u^(1/(k+1)) of two words: both tails down to 2⁻⁶⁴.
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
-        let u = draw::long(rng) | 1;
+    fn try_draw<R: TryRng + ?Sized>(self, rng: &mut R) -> Result<Drawn<[I1F31; 3]>, R::Error> {
+        let u = draw::long(rng)? | 1;
         let (cos, sin) = Self::at_log(self.log_cos(u.wrapping_neg(), u));
         draw::spatial(cos, sin, rng)
     }

@@ -1,7 +1,8 @@
 //! What a word format gives the laws, so that each law is written once.
 
+use super::drawn::Drawn;
 use ::fixed::traits::{FixedSigned, FixedUnsigned};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// A format of the results and the kernels that are accurate to it. Sealed.
 ///
@@ -64,11 +65,13 @@ pub trait Format: Copy {
     fn first_quadrant(cos: u32, sin: u32) -> u32;
 
     /// A direction in space with cos θ the largest of N uniform numbers.
-    fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [Self::Component; 3];
+    fn lobe<const N: usize, R: TryRng + ?Sized>(
+        rng: &mut R,
+    ) -> Result<Drawn<[Self::Component; 3]>, R::Error>;
     /// The largest of three uniform numbers, and a word whose top bit is a sign.
-    fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32);
+    fn largest_of_three<R: TryRng + ?Sized>(rng: &mut R) -> Result<(u32, u32), R::Error>;
     /// A direction in the plane with |sin θ| uniform.
-    fn chord<R: Rng + ?Sized>(rng: &mut R) -> [Self::Component; 2];
+    fn chord<R: TryRng + ?Sized>(rng: &mut R) -> Result<Drawn<[Self::Component; 2]>, R::Error>;
 }
 
 /// An angle in turns, which names its format. Sealed.

@@ -9,7 +9,7 @@ use crate::CosSin;
 use ::fixed::types::U0F16;
 use core::fmt;
 use core::marker::PhantomData;
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
 /// The law `L` in integers of the format `F`: [`Fixed`](type@Fixed) or [`Fixed16`](type@Fixed16).
 ///
@@ -172,7 +172,17 @@ impl<F: Format, L: Formulas<F>> Integers<F, L> {
     /// Randomness: the words of the table in the [module](super), each by `next_u32`.
     #[inline]
     pub fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> L::Direction {
-        self.0.sample(rng)
+        let Ok(drawn) = self.0.try_draw(rng);
+        drawn.direction
+    }
+
+    /// [`sample`](Self::sample) with a generator that can fail: the same words in the same order.
+    ///
+    /// # Errors
+    /// The generator's first error, handed on; no word is drawn after it.
+    #[inline]
+    pub fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<L::Direction, R::Error> {
+        Ok(self.0.try_draw(rng)?.direction)
     }
 }
 

@@ -1,11 +1,12 @@
 //! What each law computes in words, behind [`Integers`](super::Integers).
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::spatial;
 use super::tails::Tails;
 use crate::CosSin;
 use ::fixed::traits::FixedUnsigned;
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// A law in integers: cosines and sines in Q31, turns in Q32, to the accuracy of F. Sealed.
 pub trait Formulas<F: Format>: Copy {
@@ -18,7 +19,7 @@ pub trait Formulas<F: Format>: Copy {
     fn unwarp_tails(self, at: CosSin<i32>) -> Tails;
     fn density(self, at: CosSin<i32>) -> Self::Density;
     fn pdf(self, turn: i32) -> Self::Density;
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> Self::Direction;
+    fn try_draw<R: TryRng + ?Sized>(self, rng: &mut R) -> Result<Drawn<Self::Direction>, R::Error>;
 
     // As in space; the laws of the plane, where θ has a sign, have their own.
 

@@ -2,6 +2,7 @@
 
 use super::Spatial;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -9,7 +10,7 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by volume** in a ball tangent to the origin (paper 4.1).
@@ -139,8 +140,28 @@ impl Parameterless for Ball {
     }
 }
 
-impl<T: Real> Tangent<T> for Ball {
+impl Point for Ball {
     const MEASURE: Measure = Measure::Volume;
+    const IS_PLANAR: bool = false;
+    const IS_SOLID: bool = true;
+
+    #[inline]
+    fn share<W: Kernel>(v: W) -> W {
+        v.cbrt()
+    }
+
+    /// 3/(4πρ³).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip = W::ONE / rho;
+        W::CONSTANTS.three_over_two_pi.value() * W::HALF / rho * recip * recip
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let ln_two_cubes = W::CONSTANTS.ln_2.value() + rho.ln() * W::int(3);
+        W::CONSTANTS.ln_three_over_two_pi.value() - ln_two_cubes
+    }
 }
 
 impl<T: Real> Spatial<T> for Ball {

@@ -2,17 +2,19 @@
 
 use super::Planar;
 use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by arc length** on a circle tangent to the origin.
 ///
-/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal angles:
+/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal
+/// angles:
 ///
 /// > p(θ) = 1/π per radian, θ ∈ \[−π/2, π/2\]
 ///
@@ -126,8 +128,21 @@ impl Parameterless for CircleArc {
     }
 }
 
-impl<T: Real> Tangent<T> for CircleArc {
+impl Point for CircleArc {
     const MEASURE: Measure = Measure::ArcLength;
+    const IS_PLANAR: bool = true;
+
+    /// 1/(2πρ).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi * W::HALF / rho
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_two_pi.value() + rho.ln())
+    }
 }
 
 impl<T: Real> Planar<T> for CircleArc {}

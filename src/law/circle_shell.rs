@@ -2,15 +2,17 @@
 
 use super::Planar;
 use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
-/// Direction of a point of a **radial shell** on a circle tangent to the origin (paper 3.2, "circle").
+/// Direction of a point of a **radial shell** on a circle tangent to the origin (paper 3.2,
+/// "circle").
 ///
 /// The shell has constant thickness along the ray, not across the curve: the paper's measure is
 /// δ(r − 2ρ cos θ) r dr dθ, whose mass 4ρ gives the density
@@ -123,8 +125,20 @@ impl Parameterless for CircleShell {
     }
 }
 
-impl<T: Real> Tangent<T> for CircleShell {
+impl Point for CircleShell {
     const MEASURE: Measure = Measure::CircleShell;
+    const IS_PLANAR: bool = true;
+
+    /// cos θ / 2.
+    #[inline]
+    fn point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos * W::HALF
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos.ln() - W::CONSTANTS.ln_2.value()
+    }
 }
 
 impl<T: Real> Planar<T> for CircleShell {}

@@ -2,12 +2,13 @@
 
 use super::Planar;
 use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by area** in a disk tangent to the origin (paper 3.1).
@@ -125,8 +126,27 @@ impl Parameterless for Disk {
     }
 }
 
-impl<T: Real> Tangent<T> for Disk {
+impl Point for Disk {
     const MEASURE: Measure = Measure::Area;
+    const IS_PLANAR: bool = true;
+    const IS_SOLID: bool = true;
+
+    #[inline]
+    fn share<W: Kernel>(v: W) -> W {
+        v.sqrt()
+    }
+
+    /// 1/(πρ²).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi / rho * (W::ONE / rho)
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_pi.value() + rho.ln() * W::int(2))
+    }
 }
 
 impl<T: Real> Planar<T> for Disk {}

@@ -2,6 +2,7 @@
 
 use super::Spatial;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -9,20 +10,21 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
-/// Direction of a point uniform **by surface area** on a sphere tangent to the origin: Lambert's law.
+/// Direction of a point uniform **by surface area** on a sphere tangent to the origin: Lambert's
+/// law.
 ///
-/// The surface element of r = 2ρ cos θ is r √(r² + r′²) sin θ dθ dφ = 4ρ² cos θ sin θ dθ dφ, of 4πρ²
-/// in all:
+/// The surface element of r = 2ρ cos θ is r √(r² + r′²) sin θ dθ dφ = 4ρ² cos θ sin θ dθ dφ, of
+/// 4πρ² in all:
 ///
 /// > cos θ / π per steradian; q = cos θ sin θ / π per dθ dφ, θ ∈ \[0, π/2\]
 ///
-/// with cdf sin²θ. Also exported as [`SphereArea`](crate::SphereArea), the name that says its measure.
-/// The paper's section 4.2 sets out to find this law but measures a radial shell, which gives
-/// [`SphereShell`](crate::SphereShell). Its weight for a Lambert reflector is 1: zero variance under a
-/// constant sky.
+/// with cdf sin²θ. Also exported as [`SphereArea`](crate::SphereArea), the name that says its
+/// measure. The paper's section 4.2 sets out to find this law but measures a radial shell, which
+/// gives [`SphereShell`](crate::SphereShell). Its weight for a Lambert reflector is 1: zero
+/// variance under a constant sky.
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -124,8 +126,21 @@ impl Parameterless for Lambert {
     }
 }
 
-impl<T: Real> Tangent<T> for Lambert {
+impl Point for Lambert {
     const MEASURE: Measure = Measure::SurfaceArea;
+    const IS_PLANAR: bool = false;
+
+    /// 1/(4πρ²).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi * W::QUARTER / rho * (W::ONE / rho)
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_pi.value() + (W::CONSTANTS.ln_2.value() + rho.ln()) * W::int(2))
+    }
 }
 
 impl<T: Real> Spatial<T> for Lambert {

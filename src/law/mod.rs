@@ -7,6 +7,7 @@ mod cos_power;
 mod disk;
 mod formulas;
 mod lambert;
+mod measure;
 mod planar;
 mod spatial;
 mod sphere_shell;
@@ -18,6 +19,8 @@ pub use circle_shell::CircleShell;
 pub use cos_power::{CosPower, ExponentError};
 pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
+pub use measure::Measure;
+pub(crate) use measure::Point;
 pub use planar::Planar;
 pub use spatial::Spatial;
 pub(crate) use spatial::spherical;
@@ -46,7 +49,8 @@ pub trait Law<T: Real> {
     /// that is [`Spatial::pdf_solid_angle`] times sin θ.
     fn pdf(&self, theta: T) -> T;
 
-    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is 0.
+    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is
+    /// 0.
     fn ln_pdf(&self, theta: T) -> T;
 
     /// (cdf, sf) of θ, azimuth integrated out, each to full relative accuracy.

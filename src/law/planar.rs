@@ -5,7 +5,7 @@ use crate::batch::{self, Batch, LengthError};
 use crate::number::Real;
 use crate::uniform::TailBits;
 use crate::{CosSin, Sample, uniform};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
 /// Laws of a direction in the plane.
 #[diagnostic::on_unimplemented(
@@ -20,6 +20,15 @@ pub trait Planar<T: Real>: Law<T> {
     #[inline]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
         self.sample_from_bits(T::draw_tail_bits(rng))
+    }
+
+    /// [`sample`](Planar::sample) with a generator that can fail: the same words in the same order.
+    ///
+    /// # Errors
+    /// The generator's first error, handed on; no word is drawn after it.
+    #[inline]
+    fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[T; 2], R::Error> {
+        Ok(self.sample_from_bits(T::try_draw_tail_bits(rng)?))
     }
 
     /// The direction that [`sample`](Planar::sample) makes of the words it draws.

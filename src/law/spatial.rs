@@ -8,7 +8,7 @@ use crate::number::Real;
 use crate::number::tier::Margin;
 use crate::uniform::{TailBits, TurnBits};
 use crate::{CosSin, Frame, Sample, Tails, uniform};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
 /// Laws of a direction in space, uniform in azimuth.
 #[diagnostic::on_unimplemented(
@@ -28,6 +28,16 @@ pub trait Spatial<T: Real>: Law<T> {
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         let tail = T::draw_tail_bits(rng);
         self.sample_from_bits(tail, T::draw_turn_bits(rng))
+    }
+
+    /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same order.
+    ///
+    /// # Errors
+    /// The generator's first error, handed on; no word is drawn after it.
+    #[inline]
+    fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[T; 3], R::Error> {
+        let tail = T::try_draw_tail_bits(rng)?;
+        Ok(self.sample_from_bits(tail, T::try_draw_turn_bits(rng)?))
     }
 
     /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
@@ -105,11 +115,11 @@ pub trait Spatial<T: Real>: Law<T> {
     /// Draws a direction around the unit vector `normal`.
     ///
     /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
-    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may lose its
-    /// sign, so that a direction beside the horizon can come out on the surface or below it: weigh
-    /// it by the cosine and density of
-    /// [`sample_around_with_density`](Spatial::sample_around_with_density).
-    /// Randomness as [`sample`](Spatial::sample).
+    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may
+    /// lose its sign, so that a direction beside the horizon can come out on the surface or below
+    /// it: weigh it by the cosine and density of
+    /// [`sample_around_with_density`](Spatial::sample_around_with_density). Randomness as
+    /// [`sample`](Spatial::sample).
     ///
     /// ```
     /// # use coslobe::{Lambert, Spatial};

@@ -2,6 +2,7 @@
 
 use super::Spatial;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -9,18 +10,20 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
-/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2, "sphere").
+/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
+/// "sphere").
 ///
 /// The shell has constant thickness along the ray, not across the surface: the paper's measure is
 /// δ(r − 2ρ cos θ) r² sin θ dr dθ dφ, whose mass 8πρ²/3 gives the density
 ///
 /// > 3 cos²θ / (2π) per steradian; q = 3 cos²θ sin θ / (2π) per dθ dφ, θ ∈ \[0, π/2\]
 ///
-/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law instead:
-/// the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here, ⅔ there.
+/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law
+/// instead: the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here,
+/// ⅔ there.
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -149,8 +152,20 @@ impl Parameterless for SphereShell {
     }
 }
 
-impl<T: Real> Tangent<T> for SphereShell {
+impl Point for SphereShell {
     const MEASURE: Measure = Measure::SphereShell;
+    const IS_PLANAR: bool = false;
+
+    /// 3 cos²θ sin θ / 2π.
+    #[inline]
+    fn point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value() * at.sin
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        W::CONSTANTS.ln_three_over_two_pi.value() + at.cos.ln() * W::int(2) + at.sin.ln()
+    }
 }
 
 /// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.

@@ -17,10 +17,10 @@ pub use precise::Precise;
 /// in the tables of [`accuracy`](crate::accuracy).
 ///
 /// Generic code may compute with a `T: Real`: by `+`, `-`, `*`, `/` and comparisons, with the
-/// constants `T::ZERO`, `T::QUARTER`, `T::HALF`, `T::ONE`, `T::INFINITY` and `T::NAN`, by `T::int` of
-/// an `i16`, and by the methods `abs`, `copysign`, `sqrt`, `is_nan` and `is_finite`. All are those
-/// of the format, but `sqrt` of [`Fast<f32>`](Fast), which has its error. What else a `T: Real` has
-/// is the crate's own and may change.
+/// constants `T::ZERO`, `T::QUARTER`, `T::HALF`, `T::ONE`, `T::INFINITY` and `T::NAN`, by `T::int`
+/// of an `i16`, and by the methods `abs`, `copysign`, `sqrt`, `is_nan` and `is_finite`. All are
+/// those of the format, but `sqrt` of [`Fast<f32>`](Fast), which has its error. What else a `T:
+/// Real` has is the crate's own and may change.
 ///
 /// ```
 /// use coslobe::{CosSin, Fast, Real};

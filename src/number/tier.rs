@@ -5,7 +5,7 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::format::Native;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
 /// What bounds the error of a quick result in the rounding test.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -16,7 +16,8 @@ pub enum Margin {
     OfOne,
 }
 
-/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of them.
+/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of
+/// them.
 pub trait Bits: Copy + Default {
     type Half: Copy + Default;
     /// The upper half, then the lower.
@@ -73,8 +74,8 @@ pub trait Tier: Scalar {
     /// How far the square of a unit vector's length may be from 1.
     const UNIT_SLACK: Self::Base;
 
-    /// The results of the accurate phase, rounded; those of the quick phase where a rounding test shows
-    /// that they round to the same numbers.
+    /// The results of the accurate phase, rounded; those of the quick phase where a rounding test
+    /// shows that they round to the same numbers.
     fn rounded<const N: usize>(
         margin: Margin,
         quick: impl FnOnce() -> [Self::Quick; N],
@@ -88,8 +89,18 @@ pub trait Tier: Scalar {
     type TailBits: Bits;
     /// Random bits behind one azimuth.
     type TurnBits: Copy + Default;
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits;
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits;
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TailBits, R::Error>;
+    fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TurnBits, R::Error>;
+    #[inline(always)]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits {
+        let Ok(bits) = Self::try_draw_tail_bits(rng);
+        bits
+    }
+    #[inline(always)]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits {
+        let Ok(bits) = Self::try_draw_turn_bits(rng);
+        bits
+    }
     fn tails_from_bits(bits: Self::TailBits) -> Tails<Self>;
     fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self>;
 }

@@ -22,10 +22,11 @@ pub(super) struct Sum {
 }
 
 impl Sum {
-    /// Adds (O/p − n)² · p of a cell whose probability is p = 2^−`halvings`: its part of χ² times n.
+    /// Adds (O/p − n)² · p of a cell whose probability is p = 2^−`halvings`: its part of χ² times
+    /// n.
     ///
-    /// Of 65 535 samples and p ≥ 2⁻¹¹ the square is below 2⁵⁴. Each cell's shift drops less than 1: of at
-    /// most 64 cells and n ≥ 1024 together less than a tenth of χ².
+    /// Of 65 535 samples and p ≥ 2⁻¹¹ the square is below 2⁵⁴. Each cell's shift drops less than
+    /// 1: of at most 64 cells and n ≥ 1024 together less than a tenth of χ².
     pub(super) fn cell(&mut self, cell: u8, observed: u64, halvings: u32, n: u64) {
         let off = (observed << halvings).abs_diff(n);
         self.add(cell, off * off, halvings);

@@ -6,7 +6,8 @@ use crate::{CosSin, Fixed};
 use ::fixed::types::I1F31;
 use rand_core::Rng;
 
-/// How far the square of a length may be from 1, in Q62: 2⁻²⁶, of components that are off by 4 units of Q31.
+/// How far the square of a length may be from 1, in Q62: 2⁻²⁶, of components that are off by 4
+/// units of Q31.
 const SLACK: u64 = 1 << 36;
 
 /// The crate's sampler of a law in integers.

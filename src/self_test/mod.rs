@@ -10,9 +10,10 @@
 //! # Ok::<(), coslobe::self_test::Fault>(())
 //! ```
 //!
-//! Samples are counted in cells that the law makes equally likely or that are halved towards both ends
-//! of θ, and each table of counts is judged by χ² on both sides: too uneven, or too even to be random.
-//! The limits were computed on a host; here everything but the law's own formulas is integers.
+//! Samples are counted in cells that the law makes equally likely or that are halved towards both
+//! ends of θ, and each table of counts is judged by χ² on both sides: too uneven, or too even to
+//! be random. The limits were computed on a host; here everything but the law's own formulas is
+//! integers.
 //!
 //! | statistic | cells | sees |
 //! |---|---|---|
@@ -26,8 +27,8 @@
 //! Besides, every sample must be [valid](Invalid), and no four samples in a row may come again
 //! ([`Fault::Repeats`]: any period up to half the number of samples).
 //!
-//! A sample is placed in its law by [`Law::unwarp_tails`](crate::Law::unwarp_tails). If that were wrong
-//! together with the sampler, this test would not see it; tests on a host do.
+//! A sample is placed in its law by [`Law::unwarp_tails`](crate::Law::unwarp_tails). If that were
+//! wrong together with the sampler, this test would not see it; tests on a host do.
 #![doc = include_str!("../../docs/measured/self_test.md")]
 
 mod cells;
@@ -157,8 +158,8 @@ impl<S: Subject> Check<S> {
     /// Judges what was counted so far; counting may go on.
     ///
     /// # Errors
-    /// The first fault, the plainest and the generator's own first: an invalid sample, a period, too few
-    /// samples to say more, then the [`Statistic`]s in their order.
+    /// The first fault, the plainest and the generator's own first: an invalid sample, a period,
+    /// too few samples to say more, then the [`Statistic`]s in their order.
     pub fn verdict(&self, alarm: Alarm) -> Result<Report, Fault> {
         if let Some((sample, why)) = self.invalid {
             return Err(Fault::Invalid { sample, why });

@@ -109,7 +109,8 @@ impl fmt::Display for Score {
             (point(self.tenths), point(self.least), point(self.most));
         write!(
             f,
-            "{:?}: χ² = {value}.{tenth} with {} degrees of freedom, expected {least}.{low} to {most}.{high}; most of it in cell {}",
+            "{:?}: χ² = {value}.{tenth} with {} degrees of freedom, \
+             expected {least}.{low} to {most}.{high}; most of it in cell {}",
             self.statistic, self.freedom, self.worst
         )
     }

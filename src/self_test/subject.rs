@@ -30,8 +30,8 @@ pub struct Place {
     pub tail: u32,
     /// Whether that is the upper one.
     pub upper: bool,
-    /// Which of 16 equal sectors of φ, in any order but with halves of an octant side by side; none in
-    /// the plane.
+    /// Which of 16 equal sectors of φ, in any order but with halves of an octant side by side;
+    /// none in the plane.
     pub sector: Option<u8>,
 }
 

@@ -5,6 +5,7 @@ use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::logarithmic::{self, Logarithmic};
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
@@ -32,8 +33,8 @@ const fn constants(c: &Constants<Pair<f64>>) -> Constants<Double> {
     }
 }
 
-/// A power within 2⁻⁹⁰ of an `f64` is taken to be that: c³ of a c with few digits must come out exactly,
-/// since it can be a tie in a shorter format.
+/// A power within 2⁻⁹⁰ of an `f64` is taken to be that: c³ of a c with few digits must come out
+/// exactly, since it can be a tie in a shorter format.
 #[inline]
 fn snapped(x: Double) -> Double {
     if x.lo.abs() < x.hi.abs() * power_of_two(-90) {
@@ -75,6 +76,9 @@ fn one_minus_power(m: Double, v: Double) -> Double {
 
 impl Kernel for Double {
     type Wide = Double;
+    type Cosine = CosSin<Self>;
+    type Scale = Self;
+    type TailRoot = Self;
 
     const CONSTANTS: Constants<Double> = constants(&<f64 as Native>::CONSTANTS);
 
@@ -131,10 +135,6 @@ impl Kernel for Double {
         angle::at_angle(theta.hi)
     }
     #[inline]
-    fn at_angle_fine(theta: Self) -> CosSin<Self> {
-        angle::at_angle(theta.hi)
-    }
-    #[inline]
     fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
         into_quadrant(quadrant, angle::at_eighth(x))
     }
@@ -173,34 +173,33 @@ impl Kernel for Double {
         log_exp::ln(x)
     }
     #[inline]
-    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
-        let product = if at.sin.hi < power_of_two(-60) {
-            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
-            -(k * at.sin * at.sin * Self::HALF)
-        } else {
-            k * Self::ln_cos(at)
-        };
-        // At what is no unit vector the logarithm is −∞, and k tells the sign.
-        if product.is_finite() {
-            product
-        } else if k > Self::ZERO {
-            -Self::INFINITY
-        } else {
-            Self::INFINITY
-        }
+    fn cosine(at: CosSin<Self>) -> CosSin<Self> {
+        at
     }
     #[inline]
-    fn exp_times(a: Self, c: Self) -> Self {
-        let (m, n) = log_exp::exp(a);
-        let product = c * snapped(m);
-        Double {
-            hi: product.hi.scale(n),
-            lo: product.lo.scale(n),
-        }
+    fn cosine_at_angle(theta: Self) -> (CosSin<Self>, Self) {
+        let at = Self::at_angle(theta);
+        (at, at.sin)
     }
     #[inline]
-    fn one_minus_exp(a: Self) -> Self {
-        snapped(-log_exp::exp_m1(a))
+    fn scale(x: Self) -> Self {
+        x
+    }
+    #[inline]
+    fn two_over(x: Self) -> Self {
+        Self::int(2) / x
+    }
+    #[inline]
+    fn power_times(k: Self, at: CosSin<Self>, scale: Self, factor: Self) -> Self {
+        logarithmic::power_times(k, at, scale * factor)
+    }
+    #[inline]
+    fn ln_power_times_sine(k: Self, at: CosSin<Self>, c: Self) -> Self {
+        logarithmic::ln_power_times_sine(k, at, c)
+    }
+    #[inline]
+    fn tail_root(n: Self) -> Self {
+        n
     }
     #[inline]
     fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
@@ -240,5 +239,38 @@ impl Kernel for Double {
             cos: Self::exp_times(a, Self::ONE),
             sin,
         }
+    }
+}
+
+impl Logarithmic for Double {
+    #[inline]
+    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
+        let product = if at.sin.hi < power_of_two(-60) {
+            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
+            -(k * at.sin * at.sin * Self::HALF)
+        } else {
+            k * Self::ln_cos(at)
+        };
+        // At what is no unit vector the logarithm is −∞, and k tells the sign.
+        if product.is_finite() {
+            product
+        } else if k > Self::ZERO {
+            -Self::INFINITY
+        } else {
+            Self::INFINITY
+        }
+    }
+    #[inline]
+    fn exp_times(a: Self, c: Self) -> Self {
+        let (m, n) = log_exp::exp(a);
+        let product = c * snapped(m);
+        Double {
+            hi: product.hi.scale(n),
+            lo: product.lo.scale(n),
+        }
+    }
+    #[inline]
+    fn one_minus_exp(a: Self) -> Self {
+        snapped(-log_exp::exp_m1(a))
     }
 }

@@ -22,7 +22,7 @@ pub(crate) fn ln(x: Double) -> Double {
     if !(x.hi > 0.0 && x.hi.is_finite()) {
         return Double::exact(libm::log(x.hi));
     }
-    let (m, e) = x.hi.split();
+    let (m, e) = x.hi.split(f64::ROOT_HALF);
     let part = ln_near_one(Double::two_sum(m - 1.0, x.lo.scale(-e)));
     if e == 0 {
         part

@@ -27,8 +27,8 @@ impl Grid {
 
     /// Bits of the number nearest to |x|·2ⁿ, ties to even, for a normal, finite x.hi, not 0.
     ///
-    /// Of x.lo only the sign is read: it tells on which side of x.hi the value lies, and between the two
-    /// lies no number of the format and no midpoint of two.
+    /// Of x.lo only the sign is read: it tells on which side of x.hi the value lies, and between
+    /// the two lies no number of the format and no midpoint of two.
     pub(crate) fn nearest(&self, x: Double, n: i32) -> u64 {
         let bits = x.hi.abs().to_bits();
         let exponent = (bits >> 52) as i32 - 1023 + n;

@@ -87,7 +87,9 @@ pub(crate) fn direction_at_tail<T: Native>(p: T) -> CosSin<T> {
     CosSin { cos, sin }
 }
 
-/// |θ| at the nearer tail p. Rounded once from a pair, hence monotone in p. Proved: error ≤ 2.5 ulp (f64), ≤ 2.4 (f32).
+/// |θ| at the nearer tail p. Rounded once from a pair, hence monotone in p.
+///
+/// Proved: error ≤ 2.5 ulp (f64), ≤ 2.4 (f32).
 #[inline(always)]
 pub(crate) fn angle_at_tail<T: Native>(p: T) -> T {
     if p < split() {

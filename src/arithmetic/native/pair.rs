@@ -83,6 +83,16 @@ impl<T: Float> Pair<T> {
         }
     }
 
+    /// As [`mul`](Self::mul), not normalised: the trailing word may be a few last places.
+    #[inline(always)]
+    pub(crate) fn mul_raw(self, b: Self) -> Self {
+        let p = Self::two_prod(self.hi, b.hi);
+        Pair {
+            hi: p.hi,
+            lo: p.lo + (self.hi * b.lo + self.lo * b.hi),
+        }
+    }
+
     #[inline]
     pub(crate) fn mul(self, b: Self) -> Self {
         let p = Self::two_prod(self.hi, b.hi);

@@ -1,14 +1,10 @@
 //! The coefficients that a format brings to the kernels.
 
+use super::log2::Part;
 use super::pair::Pair;
 
-/// A power series whose leading coefficients are kept as pairs.
-pub(crate) struct Series<T: 'static> {
-    pub(crate) head: &'static [Pair<T>],
-    pub(crate) tail: &'static [T],
-}
-
-/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each approximates.
+/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each
+/// approximates.
 pub struct Table<T: 'static> {
     pub(crate) sin: &'static [T],
     pub(crate) cos: &'static [T],
@@ -22,7 +18,15 @@ pub struct Table<T: 'static> {
     pub(crate) atan: &'static [T],
     pub(crate) cosine_integral: &'static [T],
     pub(crate) angle_integral: &'static [T],
-    pub(crate) sin_series: Series<T>,
-    pub(crate) cos_series: Series<T>,
-    pub(crate) atanh_series: Series<T>,
+    pub(crate) atanh: &'static [T],
+    pub(crate) exp2_bend: &'static [T],
+    pub(crate) log_series: &'static [T],
+    pub(crate) sine_tail: &'static [T],
+    pub(crate) log_parts: [Part<T>; 4],
+    pub(crate) log_turn: T,
+    pub(crate) log2_e: Pair<T>,
+    pub(crate) ln_2: Pair<T>,
+    pub(crate) third: Pair<T>,
+    pub(crate) half_pi_rest: T,
+    pub(crate) sine_head: &'static [Pair<T>],
 }

@@ -36,10 +36,10 @@ pub(crate) fn into_quadrant<T: Scalar>(quadrant: u32, at: CosSin<T>) -> CosSin<T
 
 /// The patterns (a, b), or (b, a) if n is odd.
 ///
-/// By their difference, which takes the fewest instructions; on x86 by masks. There a compiler puts
-/// the two `f32` into one vector of four, and their difference into its unused lanes. It is mostly a
-/// subnormal number, with which every product takes a hundred cycles more (`Lambert` took twice the
-/// time); masks leave zeros there.
+/// By their difference, which takes the fewest instructions; on x86 by masks. There a compiler
+/// puts the two `f32` into one vector of four, and their difference into its unused lanes. It is
+/// mostly a subnormal number, with which every product takes a hundred cycles more (`Lambert` took
+/// twice the time); masks leave zeros there.
 #[inline(always)]
 pub(crate) fn merge_if_odd(n: u32, a: u32, b: u32) -> (u32, u32) {
     if cfg!(any(target_arch = "x86", target_arch = "x86_64")) {
@@ -53,7 +53,8 @@ pub(crate) fn merge_if_odd(n: u32, a: u32, b: u32) -> (u32, u32) {
 
 /// (q, x): u turns as the nearest q quarters and x turns, for 0 ≤ u ≤ 1.
 ///
-/// A sum whose last place is a quarter rounds to one, and counts them in its last bits: no conversion.
+/// A sum whose last place is a quarter rounds to one, and counts them in its last bits: no
+/// conversion.
 #[inline(always)]
 pub(crate) fn nearest_quarter<T: Native>(u: T) -> (u32, T) {
     let sum = u + T::COUNTS_QUARTERS;

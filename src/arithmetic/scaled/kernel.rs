@@ -1,10 +1,11 @@
-//! The kernels of [`Scaled`]: those of double-double where its exponents reach, else the leading term of
-//! the series, which there has all digits.
+//! The kernels of [`Scaled`]: those of double-double where its exponents reach, else the leading
+//! term of the series, which there has all digits.
 
 use super::{DIGITS, Scaled};
 use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::logarithmic::{self, Logarithmic};
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
@@ -56,6 +57,9 @@ fn disk_end(p: Scaled) -> Scaled {
 
 impl Kernel for Scaled {
     type Wide = Scaled;
+    type Cosine = CosSin<Self>;
+    type Scale = Self;
+    type TailRoot = Self;
 
     const CONSTANTS: Constants<Scaled> = constants(&Double::CONSTANTS);
 
@@ -112,9 +116,6 @@ impl Kernel for Scaled {
         }
         pair(angle::at_angle(theta.double().hi))
     }
-    fn at_angle_fine(theta: Self) -> CosSin<Self> {
-        Self::at_angle(theta)
-    }
     fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
         let at = if x.is_below(-HALF_DIGITS) {
             CosSin {
@@ -168,6 +169,55 @@ impl Kernel for Scaled {
     fn ln_wide(x: Self) -> Self {
         Kernel::ln(x)
     }
+    fn cosine(at: CosSin<Self>) -> CosSin<Self> {
+        at
+    }
+    fn cosine_at_angle(theta: Self) -> (CosSin<Self>, Self) {
+        let at = Self::at_angle(theta);
+        (at, at.sin)
+    }
+    fn scale(x: Self) -> Self {
+        x
+    }
+    fn two_over(x: Self) -> Self {
+        Self::int(2) / x
+    }
+    fn power_times(k: Self, at: CosSin<Self>, scale: Self, factor: Self) -> Self {
+        logarithmic::power_times(k, at, scale * factor)
+    }
+    fn ln_power_times_sine(k: Self, at: CosSin<Self>, c: Self) -> Self {
+        logarithmic::ln_power_times_sine(k, at, c)
+    }
+    fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
+        logarithmic::power_tails(n, at)
+    }
+    fn tail_root(n: Self) -> Self {
+        n
+    }
+    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
+        let (lower, upper) = (p.lower(), p.upper());
+        if upper == Self::ZERO {
+            return CosSin {
+                cos: Self::ZERO,
+                sin: Self::ONE,
+            };
+        }
+        let log = if upper < Self::HALF {
+            Kernel::ln(upper)
+        } else if lower.is_below(-DIGITS) {
+            -lower
+        } else {
+            Self::from_double(log_exp::ln_1p(-lower.double()))
+        };
+        let a = log / n;
+        CosSin {
+            cos: Self::exp_times(a, Self::ONE),
+            sin: Self::one_minus_exp(a + a).sqrt(),
+        }
+    }
+}
+
+impl Logarithmic for Scaled {
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
         let product = k * Self::ln_cos(at);
         // At what is no unit vector the logarithm is −∞, and k tells the sign.
@@ -192,26 +242,5 @@ impl Kernel for Scaled {
         }
         // Of an exact 0, the positive one.
         Self::from_double(log_exp::exp_m1(a.double())).abs()
-    }
-    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
-        let (lower, upper) = (p.lower(), p.upper());
-        if upper == Self::ZERO {
-            return CosSin {
-                cos: Self::ZERO,
-                sin: Self::ONE,
-            };
-        }
-        let log = if upper < Self::HALF {
-            Kernel::ln(upper)
-        } else if lower.is_below(-DIGITS) {
-            -lower
-        } else {
-            Self::from_double(log_exp::ln_1p(-lower.double()))
-        };
-        let a = log / n;
-        CosSin {
-            cos: Self::exp_times(a, Self::ONE),
-            sin: Self::one_minus_exp(a + a).sqrt(),
-        }
     }
 }

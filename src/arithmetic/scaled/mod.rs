@@ -1,5 +1,5 @@
-//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing parts
-//! of a plain double-double would underflow.
+//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing
+//! parts of a plain double-double would underflow.
 
 mod kernel;
 #[cfg(test)]
@@ -38,7 +38,8 @@ impl Scaled {
                 exponent: 0,
             };
         }
-        // At the ends of f64's exponents a step towards the middle, since 2⁻ᵉ below must be a normal number.
+        // At the ends of f64's exponents a step towards the middle, since 2⁻ᵉ below must be a
+        // normal number.
         if e > 900 || e < -900 {
             let step = if e > 0 { -200 } else { 200 };
             let power = power_of_two(step);

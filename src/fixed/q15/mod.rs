@@ -13,10 +13,11 @@ mod tests;
 pub(crate) mod turn;
 pub(crate) mod word;
 
+use super::drawn::Drawn;
 use super::format::{Format, Turn};
 use super::planar;
 use ::fixed::types::{I0F16, I1F15, U0F16};
-use rand_core::Rng;
+use rand_core::TryRng;
 use word::ONE;
 
 /// Components in Q15, all else in Q16.
@@ -144,27 +145,33 @@ impl Format for Q15 {
     }
 
     #[inline(always)]
-    fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 3] {
-        let (cos, spare) = draw::largest::<N, R>(rng);
+    fn lobe<const N: usize, R: TryRng + ?Sized>(
+        rng: &mut R,
+    ) -> Result<Drawn<[I1F15; 3]>, R::Error> {
+        let (cos, spare) = draw::largest::<N, R>(rng)?;
         // Half a step, which centres the azimuths of a half-word.
         let phase = if N == 3 {
             spare | (1 << 15)
         } else {
-            rng.next_u32()
+            rng.try_next_u32()?
         };
-        draw::spatial(cos, phase)
+        Ok(draw::spatial(cos, phase))
     }
 
     #[inline(always)]
-    fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
+    fn largest_of_three<R: TryRng + ?Sized>(rng: &mut R) -> Result<(u32, u32), R::Error> {
         draw::largest::<3, R>(rng)
     }
 
-    /// v = 1 − |sin θ| is a word, and its lowest bit the sign.
+    /// A word's top bit is the sign, the others are v = 1 − |sin θ|.
     #[inline(always)]
-    fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 2] {
-        let v = rng.next_u32();
-        let (sin, sign) = (!v >> 1, v << 31);
-        planar::direction::<Q15>(root::complement::<32>(v | 1), sin, sign)
+    fn chord<R: TryRng + ?Sized>(rng: &mut R) -> Result<Drawn<[I1F15; 2]>, R::Error> {
+        let word = rng.try_next_u32()?;
+        let v = (word << 1) | 1;
+        Ok(planar::direction::<Q15>(
+            root::complement::<32>(v),
+            !v >> 1,
+            word,
+        ))
     }
 }

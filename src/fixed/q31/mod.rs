@@ -12,11 +12,12 @@ pub(crate) mod sqrt;
 mod tests;
 pub(crate) mod turn;
 
+use super::drawn::Drawn;
 use super::format::{Format, Turn};
 use super::kernel::{mul, signed};
 use super::planar;
 use ::fixed::types::{I0F32, I1F31, U0F32};
-use rand_core::Rng;
+use rand_core::TryRng;
 use turn::ONE;
 
 /// Components in Q31, all else in Q32.
@@ -142,23 +143,27 @@ impl Format for Q31 {
     }
 
     #[inline(always)]
-    fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [I1F31; 3] {
-        let x = draw::largest::<N, R>(rng);
+    fn lobe<const N: usize, R: TryRng + ?Sized>(
+        rng: &mut R,
+    ) -> Result<Drawn<[I1F31; 3]>, R::Error> {
+        let x = draw::largest::<N, R>(rng)?;
         draw::spatial(x.0 >> 1, sqrt::complement(draw::less(x)), rng)
     }
 
-    /// The sign is the lowest bit of the two that lost.
+    /// The sign is the top bit of the first, of which 31 bits are left.
     #[inline(always)]
-    fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
-        let (largest, low) = draw::largest::<3, R>(rng);
-        (largest, low << 31)
+    fn largest_of_three<R: TryRng + ?Sized>(rng: &mut R) -> Result<(u32, u32), R::Error> {
+        let first = rng.try_next_u32()?;
+        let two = ((first << 1) | 1).max(rng.try_next_u32()?);
+        Ok((two.max(rng.try_next_u32()?), first))
     }
 
-    /// v = 1 − |sin θ| from two words, and its lowest bit the sign.
+    /// The top bit of two words is the sign, the others are v = 1 − |sin θ|.
     #[inline(always)]
-    fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F31; 2] {
-        let v = draw::long(rng);
-        let (sin, sign) = (!((v >> 32) as u32) >> 1, (v as u32) << 31);
-        planar::direction::<Q31>(sqrt::complement(v | 1), sin, sign)
+    fn chord<R: TryRng + ?Sized>(rng: &mut R) -> Result<Drawn<[I1F31; 2]>, R::Error> {
+        let words = draw::long(rng)?;
+        let v = (words << 1) | 1;
+        let (sin, sign) = (!((v >> 32) as u32) >> 1, (words >> 32) as u32);
+        Ok(planar::direction::<Q31>(sqrt::complement(v), sin, sign))
     }
 }

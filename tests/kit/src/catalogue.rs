@@ -122,7 +122,7 @@ impl Named for Lambert {
     const ID: Id = Id::Lambert;
 }
 
-impl<T> Named for CosPower<T> {
+impl<T: Number> Named for CosPower<T> {
     const ID: Id = Id::CosPower(EXPONENT);
 }
 

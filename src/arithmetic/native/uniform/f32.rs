@@ -23,8 +23,8 @@ fn summed(n: u64) -> f32 {
     const HIGH: u32 = carrier(23);
     const LOW: u32 = carrier(0);
     let (upper, lower) = ((n >> 32) as u32, n as u32);
-    // All 43 bits of 2n + 1 where that has no more, else the leading 46 of n, of which the last lies
-    // below the digits kept and stands for all that follow.
+    // All 43 bits of 2n + 1 where that has no more, else the leading 46 of n, of which the last
+    // lies below the digits kept and stands for all that follow.
     let deep = upper >> 10 == 0;
     let high = if deep {
         upper << 10 | lower >> 22
@@ -104,8 +104,8 @@ fn summed_turn(bits: u32) -> f32 {
 mod tests {
     use super::*;
 
-    /// Both ways of [`tail`] against the compiler's unsigned conversion: every count of leading zeros,
-    /// and patterns of low bits around the tie of each.
+    /// Both ways of [`tail`] against the compiler's unsigned conversion: every count of leading
+    /// zeros, and patterns of low bits around the tie of each.
     #[test]
     fn tails_are_rounded_once() {
         let mut noise = 0x9E37_79B9_7F4A_7C15u64;

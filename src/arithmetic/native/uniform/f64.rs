@@ -109,8 +109,8 @@ fn summed_turn(bits: u64) -> f64 {
 mod tests {
     use super::*;
 
-    /// [`half_more`] and [`summed`] against the compiler's own conversion: every count of leading zeros, and patterns of
-    /// low bits around the tie of each.
+    /// [`half_more`] and [`summed`] against the compiler's own conversion: every count of leading
+    /// zeros, and patterns of low bits around the tie of each.
     #[test]
     fn half_more_is_rounded_once() {
         let mut noise = 0x9E37_79B9_7F4A_7C15u128;
