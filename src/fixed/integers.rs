@@ -71,7 +71,7 @@ pub trait Fixed16Law: Formulas<Q15, Density = U0F16> {}
 impl<L: Formulas<Q15, Density = U0F16>> Fixed16Law for L {}
 
 #[inline(always)]
-fn lower<F: Format>(p: F::Probability) -> Tails {
+pub(super) fn lower<F: Format>(p: F::Probability) -> Tails {
     Tails::from_lower(F::of_probability(p))
 }
 
@@ -89,7 +89,7 @@ fn words<F: Format>(at: CosSin<F::Component>) -> CosSin<i32> {
 }
 
 #[inline(always)]
-fn of_words<F: Format>(at: CosSin<i32>) -> CosSin<F::Component> {
+pub(super) fn of_words<F: Format>(at: CosSin<i32>) -> CosSin<F::Component> {
     CosSin {
         cos: F::component(at.cos),
         sin: F::component(at.sin),

@@ -132,10 +132,12 @@ mod cos_power;
 mod disk;
 mod drawn;
 mod format;
+mod frame;
 mod integers;
 mod kernel;
 mod lambert;
 mod law;
+mod place;
 mod planar;
 mod q15;
 mod q31;
@@ -144,4 +146,5 @@ mod sphere_shell;
 mod tails;
 
 pub use cos_power::CosPower;
+pub use frame::FixedFrame;
 pub use integers::{Fixed, Fixed16, Fixed16Law, FixedLaw, Integers, cos_sin};

@@ -21,10 +21,10 @@ use rand_core::Rng;
 /// > (k+1) cosᵏθ / (2π) per steradian; q = that times sin θ per dθ dφ, θ ∈ \[0, π/2\]
 ///
 /// with cdf 1 − cosᵏ⁺¹θ. k = 0 is the uniform hemisphere, k = 1, 2, 3 are
-/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball), whose
-/// own types need no logarithm. Every finite k is accepted: cosᵏθ is formed from log₂ cos θ with extra
-/// digits, so that a large k does not magnify the error. What depends on k alone is worked out once, by
-/// [`new`](CosPower::new).
+/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball),
+/// whose own types need no logarithm. Every finite k is accepted: cosᵏθ is formed from log₂ cos θ
+/// with extra digits, so that a large k does not magnify the error. What depends on k alone is
+/// worked out once, by [`new`](CosPower::new).
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -179,8 +179,8 @@ impl<W: Kernel> Formulas<W> for Lobe<W> {
         within(theta, spatial(theta), p, W::ZERO)
     }
 
-    /// Between −1 and 1 the error is bounded in ulps of 1, not of the result: its terms cancel where
-    /// the density passes 1.
+    /// Between −1 and 1 the error is bounded in ulps of 1, not of the result: its terms cancel
+    /// where the density passes 1.
     #[inline]
     fn ln_pdf(&self, theta: W) -> W {
         let (at, _) = W::cosine_at_angle(theta);

@@ -1,6 +1,6 @@
-//! `fixed`: the laws in integers as subjects of the check, which stays integer throughout.
+//! `fixed`: the laws in integers as subjects of the self-test, which stays integer throughout.
 
-use super::{Check, Invalid, Place, Subject};
+use super::{Invalid, Place, Subject, Test};
 use crate::fixed::FixedLaw;
 use crate::{CosSin, Fixed};
 use ::fixed::types::I1F31;
@@ -16,20 +16,20 @@ pub struct InFixed<L> {
     law: Fixed<L>,
 }
 
-/// A check of a law in integers, in the plane or in space.
+/// A test of a law in integers, in the plane or in space.
 ///
 /// ```
 /// use coslobe::{Disk, Fixed, self_test::{self, Alarm}};
-/// let mut check = self_test::fixed(Fixed(Disk));
-/// check.run(&mut rand_pcg::Pcg32::new(2024, 1), self_test::SAMPLES);
-/// check.verdict(Alarm::OneInBillion)?;
+/// let mut test = self_test::fixed(Fixed(Disk));
+/// test.run(&mut rand_pcg::Pcg32::new(2024, 1), self_test::SAMPLES);
+/// test.verdict(Alarm::OneInBillion)?;
 /// # Ok::<(), coslobe::self_test::Fault>(())
 /// ```
-pub fn fixed<L: FixedLaw>(law: Fixed<L>) -> Check<InFixed<L>>
+pub fn fixed<L: FixedLaw>(law: Fixed<L>) -> Test<InFixed<L>>
 where
     InFixed<L>: Subject,
 {
-    Check::new(InFixed { law })
+    Test::new(InFixed { law })
 }
 
 /// A direction in the plane or in space. Sealed.

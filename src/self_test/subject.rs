@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use rand_core::Rng;
 
 /// A sampler with the law that it claims. [`InPlane`] and [`InSpace`] are the crate's own samplers;
-/// implement it for yours, to check it by a law of the crate.
+/// implement it for yours, to judge it by a law of the crate.
 pub trait Subject {
     /// What one draw gives.
     type Sample;

@@ -49,14 +49,17 @@ lints() {
   cargo clippy --lib --quiet -- -D warnings
 }
 tests() { cargo test --quiet --no-fail-fast --workspace --features "$(all_features)"; }
-lints_of_firmware() {
-  cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace $(there thumbv6m-none-eabi \
-    thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf) --target-dir target/on_target/lints -- -D warnings
+lints_of_firmware() { # one by one, since features of dependencies differ between them
+  local target
+  for target in $(there thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf); do
+    cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace "$target" \
+      --target-dir target/on_target/lints -- -D warnings
+  done
 }
-there() { # there TARGET…: --target for those whose core is there
+there() { # there TARGET…: --target=… for those whose core is there
   local target
   for target; do
-    [ -s "$logs/$target.need" ] && echo "SKIPPED: $target: $(<"$logs/$target.need")" >&2 || echo --target "$target"
+    [ -s "$logs/$target.need" ] && echo "SKIPPED: $target: $(<"$logs/$target.need")" >&2 || echo "--target=$target"
   done
 }
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features --quiet; }

@@ -9,7 +9,7 @@ use crate::arithmetic::constants::Constants;
 use crate::scalar::Scalar;
 
 pub(crate) const fn power_of_two(n: i32) -> f64 {
-    f64::from_bits(((1023 + n) as u64) << 52)
+    f64::from_bits((n.wrapping_add(1023) as u64) << 52)
 }
 
 impl Scalar for f64 {

@@ -96,8 +96,8 @@ fn sine<T: Native>(x: Pair<T>) -> Pair<T> {
     }
 }
 
-/// The smaller of cos θ and |sin θ| for |θ| ≤ π/2 with the digits that a power needs, whether it is cos θ,
-/// and the other.
+/// The smaller of cos θ and |sin θ| for |θ| ≤ π/2 with the digits that a power needs, whether it
+/// is cos θ, and the other.
 #[inline(always)]
 pub(crate) fn sine_at_angle<T: Native>(theta: T) -> (Pair<T>, bool, T) {
     let a = theta.abs();

@@ -110,7 +110,7 @@ impl Tier for Precise<f64> {
     fn turn_from_bits(bits: u64) -> CosSin<Self> {
         let (quadrant, part) = parts_of_turn(bits);
         let hi = part as f64;
-        let lo = (part - hi as i64) as f64;
+        let lo = part.wrapping_sub(hi as i64) as f64;
         let x = Double { hi, lo } * Double::exact(power_of_two(-65));
         CosSin::from_array(Self::rounded(
             Margin::Relative,
