@@ -3,13 +3,9 @@
 
 use coslobe::fixed::CosPower;
 use coslobe::rand_core::{Rng, TryRng};
-use coslobe::{Fixed, Fixed16, Planar, Spatial, try_from_fn};
-use kit::catalogue::{
-    IntegerLaw, IntegerVisitor, every_integer_law, every_law, every_number,
-};
-use kit::{
-    Id, IntegerLaw, IntegerVisitor, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw,
-};
+use coslobe::{Fixed, Fixed16, try_from_fn};
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law, every_law, every_number};
+use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use rand_pcg::Pcg32;
 use std::fmt::{self, Debug};
 
