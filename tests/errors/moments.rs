@@ -53,7 +53,6 @@ impl NumberVisitor for Agree {
     }
 }
 
-/// Those of `Fast<f32>` are by `f32`'s code: moments are no inner loop's business.
 #[test]
 fn moments_in_every_number_type() {
     every_number(&mut Agree);
