@@ -18,6 +18,10 @@ use rand_core::Rng;
 
 /// The spatial law of any real exponent k ≥ 0: the Phong lobe.
 ///
+#[doc = include_str!("../../docs/measured/lobes/cos-power.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial).
+///
 /// > (k+1) cosᵏθ / (2π) per steradian; q = that times sin θ per dθ dφ, θ ∈ \[0, π/2\]
 ///
 /// with cdf 1 − cosᵏ⁺¹θ. k = 0 is the uniform hemisphere, k = 1, 2, 3 are

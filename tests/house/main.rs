@@ -165,9 +165,6 @@ const MOST_OF_A_TYPE: usize = 51;
 #[test]
 fn files_and_lines_are_short() {
     for (path, text) in files(Path::new("src")) {
-        if path.starts_with("src/fixed") {
-            continue;
-        }
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         let generated = name.starts_with("coefficients") || name == "table";
         let most = if generated { 500 } else { MOST_LINES };

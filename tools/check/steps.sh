@@ -26,6 +26,7 @@ step boards-hashes-planted    full  boards         qemu,thumbv7em-none-eabihf pl
 step lints-firmware           full  lints-firmware $boards,clippy    lints_of_firmware
 step big-endian               full  s390x          s390x             big_endian_in_qemu
 step unoptimised              full  unoptimised    -                 unoptimised
+step figures                  quick -              -                 python3 tools/figures.py --check
 step docs                     quick docs           -                 docs
 step docs-rs                  full  docs-rs        nightly           docs_as_on_docs_rs
 step msrv                     full  msrv           msrv              cargo "+$(msrv)" build --lib --quiet --target-dir target/msrv
