@@ -66,6 +66,8 @@ pub trait Format: Copy {
     /// The angle in turns of two magnitudes.
     fn first_quadrant(cos: u32, sin: u32) -> u32;
 
+    /// How far length² may be from 1 in Q62, for a sample.
+    const LENGTH_SLACK: u64;
     /// How far length² may be from 1 in Q30, for a normal.
     const SLACK: u32;
     /// A component in the units of its own format, −1 as one unit more.

@@ -14,6 +14,7 @@ use crate::NormalError;
 /// −0.0003194273) and back 9.48, a unit vector's length 6.68; in `I1F15` 3, 2.92 and 3.2. The tests
 /// allow 10, 12 and 9; 3.5, 3.5 and 4.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FixedFrame<C> {
     normal: [C; 3],
     /// 1/(1 + |z|).

@@ -52,7 +52,8 @@ where
     /// use coslobe::{Fixed, Lambert};
     /// use fixed::types::I1F31;
     /// let mut rng = rand_pcg::Pcg32::new(1, 1);
-    /// let down = [I1F31::ZERO, I1F31::ZERO, I1F31::MIN]; // −1 is a number, 1 is not: MAX stands for it
+    /// // −1 is a number, 1 is not: MAX stands for it
+    /// let down = [I1F31::ZERO, I1F31::ZERO, I1F31::MIN];
     /// let d = Fixed(Lambert).sample_around(down, &mut rng);
     /// assert!(d[2] < 0);
     /// ```

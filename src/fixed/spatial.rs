@@ -84,7 +84,8 @@ pub(crate) fn polar<F: Format>(x: i32, z: i32) -> (i32, u32) {
     if a | b == 0 {
         return (0, 0);
     }
-    // Both up by as much as the larger one allows, in Q32; then the root of half their squares' sum.
+    // Both up by as much as the larger one allows, in Q32; then the root of half their squares'
+    // sum.
     let (_, shift) = normal(a | b);
     let [a, b] = [a, b].map(|c| c << shift);
     let root = F::scaled((F::mul(a, a) >> 1).wrapping_add(F::mul(b, b) >> 1), 0);

@@ -158,16 +158,13 @@ fn a_law_and_a_type_are_named_in_few_files() {
 }
 
 /// The aim is 55 and 35.
-const MOST_OF_A_LAW: usize = 75;
-const MOST_OF_A_TYPE: usize = 60;
+const MOST_OF_A_LAW: usize = 66;
+const MOST_OF_A_TYPE: usize = 51;
 
 /// Generated files apart, about 200 lines and under 100 columns.
 #[test]
 fn files_and_lines_are_short() {
     for (path, text) in files(Path::new("src")) {
-        if path.starts_with("src/fixed") {
-            continue;
-        }
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         let generated = name.starts_with("coefficients") || name == "table";
         let most = if generated { 500 } else { MOST_LINES };

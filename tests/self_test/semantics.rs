@@ -38,12 +38,12 @@ fn a_good_generator_passes_under_every_law_and_type() {
     every_law(Precise(7.3f64));
 }
 
-/// `Fixed`, with a good generator and with stuck, biased and short ones; its samples are in their cells.
+/// `Fixed` and `Fixed16`, with a good generator and with stuck, biased and short ones; its samples are in their cells.
 #[cfg(feature = "fixed")]
 #[test]
 fn integers_are_checked_by_integers() {
     use crate::generators::{biased, period, stuck_bit};
-    use coslobe::Fixed;
+    use coslobe::{Fixed, Fixed16};
     use fixed::types::I1F31;
     passes(self_test::fixed(Fixed(Disk)));
     passes(self_test::fixed(Fixed(CircleShell)));
@@ -51,6 +51,12 @@ fn integers_are_checked_by_integers() {
     passes(self_test::fixed(Fixed(Ball)));
     passes(self_test::fixed(Fixed(SphereShell)));
     passes(self_test::fixed(Fixed(Lambert)));
+    passes(self_test::fixed(Fixed16(Disk)));
+    passes(self_test::fixed(Fixed16(CircleShell)));
+    passes(self_test::fixed(Fixed16(CircleArc)));
+    passes(self_test::fixed(Fixed16(Ball)));
+    passes(self_test::fixed(Fixed16(SphereShell)));
+    passes(self_test::fixed(Fixed16(Lambert)));
     let lobe = coslobe::fixed::CosPower::new(fixed::types::U16F16::from_num(7.3));
     passes(self_test::fixed(Fixed(lobe)));
     for mut bad in [stuck_bit(1, 4, true), biased(1, !0, 0.05), period(1, 300)] {

@@ -1,7 +1,8 @@
 //! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing
 //! parts of a plain double-double would underflow.
 //!
-//! Exponents stay below 2²⁷, so that nothing wraps in sums of two; `wrapping_…` spares their checks.
+//! Exponents stay below 2²⁷, so that nothing wraps in sums of two; `wrapping_…` spares their
+//! checks.
 
 mod kernel;
 #[cfg(test)]

@@ -154,6 +154,8 @@ impl Format for Q15 {
         angle::first_quadrant(cos, sin)
     }
 
+    /// 2⁻¹²: of components that are off by 2 units.
+    const LENGTH_SLACK: u64 = 1 << 50;
     /// 2⁻¹² of the length: eight units.
     const SLACK: u32 = 1 << 19;
 

@@ -152,6 +152,8 @@ impl Format for Q31 {
         angle::first_quadrant(cos, sin)
     }
 
+    /// 2⁻²⁶: of components that are off by 4 units.
+    const LENGTH_SLACK: u64 = 1 << 36;
     /// 2⁻²⁰ of the length.
     const SLACK: u32 = 1 << 11;
 

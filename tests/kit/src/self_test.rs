@@ -78,7 +78,7 @@ fn fed<S: Subject>(
     test.verdict(Alarm::OneInBillion)
 }
 
-fn power() -> Test<InFixed<CosPower>> {
+fn power() -> Test<InFixed<Fixed<CosPower>>> {
     self_test::fixed(Fixed(CosPower::new(EXPONENT)))
 }
 

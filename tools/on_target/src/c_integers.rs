@@ -31,7 +31,7 @@ fn q31<L: FixedLaw + Copy>(
     l: Fixed<L>,
     density: fn(L::Density) -> u32,
 ) where
-    InFixed<L>: Subject,
+    InFixed<Fixed<L>>: Subject,
     L::Direction: IntoIterator<Item = I1F31>,
 {
     let component = |x: I1F31| x.to_bits().cast_unsigned();
