@@ -264,11 +264,7 @@ impl From<Fault> for CFault {
 pub(crate) unsafe fn judge<S: Subject>(
     rng: *const Generator,
     fault: *mut CFault,
-<<<<<<< HEAD
-    mut check: Test<S>,
-=======
     mut test: Test<S>,
->>>>>>> main
 ) -> c_int {
     // SAFETY: the caller's promise.
     let Some(mut words) = (unsafe { words(rng) }) else {
