@@ -13,7 +13,10 @@ use rand_core::{TryRng, utils};
 /// # mod rand_core_06 { pub trait RngCore { fn next_u32(&mut self) -> u32; } }
 /// # struct HardwareRng(u32);
 /// # impl rand_core_06::RngCore for HardwareRng {
-/// #     fn next_u32(&mut self) -> u32 { self.0 = self.0.wrapping_mul(747796405).wrapping_add(1); self.0 }
+/// #     fn next_u32(&mut self) -> u32 {
+/// #         self.0 = self.0.wrapping_mul(747796405).wrapping_add(1);
+/// #         self.0
+/// #     }
 /// # }
 /// # let mut hardware = HardwareRng(1);
 /// use coslobe::{Lambert, from_fn};

@@ -116,6 +116,6 @@ pub use sample::Sample;
 pub use tails::Tails;
 pub use weight::{balance_heuristic, power_heuristic};
 
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "fixed"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,5 @@
-//! Powers by a logarithm and an exponential, for the arithmetics whose numbers carry all the digits that they need.
+//! Powers by a logarithm and an exponential, for the arithmetics whose numbers carry all the
+//! digits that they need.
 
 use super::kernel::Kernel;
 use crate::CosSin;

@@ -8,12 +8,19 @@ use crate::CosSin;
 use ::fixed::traits::FixedUnsigned;
 use rand_core::TryRng;
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no law in integers of the format `{F}`",
+    label = "not known to `Fixed` or `Fixed16`",
+    note = "`Fixed` and `Fixed16` know Disk, CircleShell, CircleArc, Ball, SphereShell and Lambert",
+    note = "the power with an exponent is `coslobe::fixed::CosPower` in integers, of `Fixed` alone; \
+            `coslobe::CosPower` is that of floats"
+)]
 /// A law in integers: cosines and sines in Q31, turns in Q32, to the accuracy of F. Sealed.
 pub trait Formulas<F: Format>: Copy {
     /// The format of its densities.
     type Density: FixedUnsigned;
     /// What [`Fixed::sample`](super::Integers::sample) returns.
-    type Direction;
+    type Direction: Copy;
 
     fn warp_tails(self, p: Tails) -> CosSin<i32>;
     fn unwarp_tails(self, at: CosSin<i32>) -> Tails;

@@ -41,7 +41,7 @@
 //! | `CosPower`, k ≤ 7.25 | 2.5 | 2 | | 1.01 · 2⁻¹⁶ | 1.01 · 2⁻¹⁶ | 6 | 2 |
 //! | `CosPower`, k < 65536 | 2.5 | 2 | | 30 · 2⁻¹⁶ | 1.5 · 2⁻¹⁶ | 180 | 2 |
 //!
-//! `tests/fixed` asserts these bounds. `warp` was tried on **every** word; its worst
+//! `tests/errors/q31` asserts these bounds. `warp` was tried on **every** word; its worst
 //! components and lengths:
 //!
 //! | | component | at | length | at |
@@ -74,7 +74,7 @@
 //! is within 1.7 units of the closed form of its words (10⁶ samples a law), its length within 1.5.
 //! `quantile` and `cdf` keep the order of their arguments: those of `CircleArc`, `CircleShell` and
 //! `Lambert` always, `Disk`'s and `Ball`'s cdf and `Ball`'s and `SphereShell`'s quantile but for a
-//! unit here and there. `tests/fixed16` asserts all this.
+//! unit here and there. `tests/errors/q15` asserts all this.
 //!
 //! # Words of randomness
 //!
@@ -97,26 +97,28 @@
 //! | `CircleShell` | 1 | √(v (2 − v)), v of 31 bits | the top bit |
 //! | `CircleArc` | 1 | of ± that many quarter turns, 31 bits | the top bit |
 //!
-//! U^(1/n) is the largest of n uniform numbers: so no root is taken of a word, and cos θ is as fine
-//! as its format, down to 2⁻³¹ (for `Ball` that has probability 2⁻¹²⁴). Beside the axis it continues
-//! with the bits of the words that lost, to 2⁻⁶⁴ (`Fixed16`: of the halves, to 2⁻³²): sin θ has no
-//! grid there but that of its own format. `SphereShell` has 2¹⁶ azimuths in `Fixed16`, the others
-//! in space 2¹⁹. Signs and azimuths come from a word's high bits, since the low ones of common
-//! generators are poor. Whatever the generator gives, cos θ > 0 and the direction has unit length to
-//! 4 units (`Fixed16`: 2).
+//! U^(1/n) is the largest of n uniform numbers: so no root is taken of a word, and cos θ is as
+//! fine as its format, down to 2⁻³¹ (for `Ball` that has probability 2⁻¹²⁴). Beside the axis it
+//! continues with the bits of the words that lost, to 2⁻⁶⁴ (`Fixed16`: of the halves, to 2⁻³²):
+//! sin θ has no grid there but that of its own format. `SphereShell` has 2¹⁶ azimuths in
+//! `Fixed16`, the others in space 2¹⁹. Signs and azimuths come from a word's high bits, since the
+//! low ones of common generators are poor. Whatever the generator gives, cos θ > 0 and the
+//! direction has unit length to 4 units (`Fixed16`: 2).
 //!
 //! # Cost
 //!
 //! Instructions, flash, stack and words of every operation on Cortex-M0, M3, M4F and RV32IMC stand
-//! in `docs/measured/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole sample
-//! with its azimuth costs what `warp` takes for θ alone. The 64-bit product, one instruction on
-//! the larger cores, is four products on Cortex-M0, with the same bits; `Fixed16` has none.
+//! in `docs/measured/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole
+//! sample with its azimuth costs what `warp` takes for θ alone. The 64-bit product, one
+//! instruction on the larger cores, is four products on Cortex-M0, with the same bits; `Fixed16`
+//! has none.
 //!
 //! ```
 //! use coslobe::{Fixed, Fixed16, Lambert};
 //! use fixed::types::{I1F15, I1F31, U0F16, U0F32};
 //! let mut rng = rand_pcg::Pcg32::new(1, 1);
-//! let [x, y, z]: [I1F31; 3] = Fixed(Lambert).sample(&mut rng); // [sin θ cos φ, cos θ, sin θ sin φ]
+//! // [sin θ cos φ, cos θ, sin θ sin φ]
+//! let [x, y, z]: [I1F31; 3] = Fixed(Lambert).sample(&mut rng);
 //! let short: [I1F15; 3] = Fixed16(Lambert).sample(&mut rng);
 //! assert!(y > 0 && short[1] > 0);
 //! let at = Fixed(Lambert).warp(U0F32::from_num(0.25));
@@ -132,11 +134,14 @@ mod cos_power;
 mod disk;
 mod drawn;
 mod format;
+mod frame;
 mod integers;
 mod kernel;
 mod lambert;
 mod law;
+mod place;
 mod planar;
+mod planes;
 mod q15;
 mod q31;
 mod spatial;
@@ -144,4 +149,8 @@ mod sphere_shell;
 mod tails;
 
 pub use cos_power::CosPower;
-pub use integers::{Fixed, Fixed16, Fixed16Law, FixedLaw, Integers, cos_sin};
+pub(crate) use format::{Component, Format};
+pub use frame::FixedFrame;
+pub use integers::{Fixed, Fixed16, Integers, cos_sin};
+pub(crate) use law::Formulas;
+pub use planes::{Fixed16Law, Fixed16Planar, Fixed16Spatial, FixedLaw, FixedPlanar, FixedSpatial};

@@ -15,6 +15,11 @@ use rand_core::Rng;
 
 /// Direction of a point uniform **by volume** in a ball tangent to the origin (paper 4.1).
 ///
+#[doc = include_str!("../../docs/measured/lobes/ball.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial); the point itself:
+/// [`SpatialPoint`](crate::SpatialPoint).
+///
 /// A ray at θ from +y leaves the ball of radius ρ about (0, ρ, 0) at r = 2ρ cos θ, so
 /// ∫₀^{2ρ cos θ} r² dr / (4πρ³/3) gives the density
 ///

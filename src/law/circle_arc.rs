@@ -13,6 +13,11 @@ use rand_core::Rng;
 
 /// Direction of a point uniform **by arc length** on a circle tangent to the origin.
 ///
+#[doc = include_str!("../../docs/measured/lobes/circle-arc.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
+///
 /// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal
 /// angles:
 ///

@@ -14,6 +14,11 @@ use rand_core::Rng;
 /// Direction of a point of a **radial shell** on a circle tangent to the origin (paper 3.2,
 /// "circle").
 ///
+#[doc = include_str!("../../docs/measured/lobes/circle-shell.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
+///
 /// The shell has constant thickness along the ray, not across the curve: the paper's measure is
 /// δ(r − 2ρ cos θ) r dr dθ, whose mass 4ρ gives the density
 ///

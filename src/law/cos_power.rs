@@ -1,7 +1,7 @@
 //! Real exponents: the Phong lobe.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Phases, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Phases, pdf_solid_angle, variance};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
@@ -18,13 +18,17 @@ use rand_core::Rng;
 
 /// The spatial law of any real exponent k ≥ 0: the Phong lobe.
 ///
+#[doc = include_str!("../../docs/measured/lobes/cos-power.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial).
+///
 /// > (k+1) cosᵏθ / (2π) per steradian; q = that times sin θ per dθ dφ, θ ∈ \[0, π/2\]
 ///
 /// with cdf 1 − cosᵏ⁺¹θ. k = 0 is the uniform hemisphere, k = 1, 2, 3 are
-/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball), whose
-/// own types need no logarithm. Every finite k is accepted: cosᵏθ is formed from log₂ cos θ with extra
-/// digits, so that a large k does not magnify the error. What depends on k alone is worked out once, by
-/// [`new`](CosPower::new).
+/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball),
+/// whose own types need no logarithm. Every finite k is accepted: cosᵏθ is formed from log₂ cos θ
+/// with extra digits, so that a large k does not magnify the error. What depends on k alone is
+/// worked out once, by [`new`](CosPower::new).
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -179,8 +183,8 @@ impl<W: Kernel> Formulas<W> for Lobe<W> {
         within(theta, spatial(theta), p, W::ZERO)
     }
 
-    /// Between −1 and 1 the error is bounded in ulps of 1, not of the result: its terms cancel where
-    /// the density passes 1.
+    /// Between −1 and 1 the error is bounded in ulps of 1, not of the result: its terms cancel
+    /// where the density passes 1.
     #[inline]
     fn ln_pdf(&self, theta: W) -> W {
         let (at, _) = W::cosine_at_angle(theta);
@@ -245,18 +249,31 @@ impl<T: Real> Phases<T> for CosPower<T> {
 }
 
 fn moments<B: Native>(k: B) -> Moments<B> {
-    let next = Pair::two_sum(k, B::ONE);
-    let mean_cos = next.hi / (k + B::int(2));
-    let (mean_theta, weighted) = cosine_integrals(next.hi);
+    let plus = |n| Pair::two_sum(k, B::int(n));
+    let next = plus(1);
+    let mean_cos = next.div(plus(2));
+    // θ² is of the size of 1/k, which for a large k is subnormal.
+    let large = k * B::DROP * B::NEGLIGIBLE * B::NEGLIGIBLE > B::ONE;
+    let [down, root_down] = if large {
+        [B::DROP, B::ROOT_DROP]
+    } else {
+        [B::ONE, B::ONE]
+    };
+    let scaled = Pair {
+        hi: next.hi * down,
+        lo: next.lo * down,
+    };
+    let (mean_theta, weighted) = cosine_integrals(scaled);
+    let twice = weighted.add(weighted);
     let entropy = <B as Native>::CONSTANTS
         .ln_two_pi
         .add(ln(next).neg())
         .add(Pair::exact(k).div(next));
     Moments {
-        mean_cos,
-        var_cos: mean_cos / (k + B::int(3)) / (k + B::int(2)),
-        mean_theta,
-        var_theta: weighted + weighted - mean_theta * mean_theta,
+        mean_cos: mean_cos.value(),
+        var_cos: mean_cos.div(plus(3)).div(plus(2)).value(),
+        mean_theta: mean_theta.value() * root_down,
+        var_theta: variance(twice, mean_theta).value() * down,
         entropy: entropy.value(),
     }
 }

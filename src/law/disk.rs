@@ -13,6 +13,11 @@ use rand_core::Rng;
 
 /// Direction of a point uniform **by area** in a disk tangent to the origin (paper 3.1).
 ///
+#[doc = include_str!("../../docs/measured/lobes/disk.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
+///
 /// The point is uniform in the disk of radius ρ about (0, ρ). A ray at θ from +y leaves the disk
 /// at r = 2ρ cos θ, so ∫₀^{2ρ cos θ} r dr / (πρ²) gives the density
 ///

@@ -16,6 +16,11 @@ use rand_core::Rng;
 /// Direction of a point uniform **by surface area** on a sphere tangent to the origin: Lambert's
 /// law.
 ///
+#[doc = include_str!("../../docs/measured/lobes/lambert.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial); the point itself:
+/// [`SpatialPoint`](crate::SpatialPoint).
+///
 /// The surface element of r = 2ρ cos θ is r √(r² + r′²) sin θ dθ dφ = 4ρ² cos θ sin θ dθ dφ, of
 /// 4πρ² in all:
 ///

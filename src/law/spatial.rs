@@ -28,7 +28,8 @@ pub trait Spatial<T: Real>: Law<T> {
         self.sample_from_bits(tail, T::draw_turn_bits(rng))
     }
 
-    /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same order.
+    /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same
+    /// order.
     ///
     /// # Errors
     /// The generator's first error, handed on; no word is drawn after it.

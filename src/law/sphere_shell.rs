@@ -16,6 +16,11 @@ use rand_core::Rng;
 /// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
 /// "sphere").
 ///
+#[doc = include_str!("../../docs/measured/lobes/sphere-shell.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial); the point itself:
+/// [`SpatialPoint`](crate::SpatialPoint).
+///
 /// The shell has constant thickness along the ray, not across the surface: the paper's measure is
 /// δ(r − 2ρ cos θ) r² sin θ dr dθ dφ, whose mass 8πρ²/3 gives the density
 ///

@@ -3,9 +3,9 @@
 //! ```
 //! use coslobe::{Lambert, self_test::{self, Alarm}};
 //! let mut rng = rand_pcg::Pcg32::new(2024, 1);
-//! let mut check = self_test::spatial::<f32, _>(Lambert);
-//! check.run(&mut rng, self_test::SAMPLES);
-//! let report = check.verdict(Alarm::OneInBillion)?;
+//! let mut test = self_test::spatial::<f32, _>(Lambert);
+//! test.run(&mut rng, self_test::SAMPLES);
+//! let report = test.verdict(Alarm::OneInBillion)?;
 //! assert_eq!(report.samples, 16_384);
 //! # Ok::<(), coslobe::self_test::Fault>(())
 //! ```
@@ -54,7 +54,7 @@ use rand_core::Rng;
 use repeat::Repeat;
 use words::{Tally, Tap};
 
-/// Samples that a power-on check takes by default.
+/// Samples that a power-on test takes by default.
 pub const SAMPLES: u16 = 1 << 14;
 
 /// Fewest samples for a verdict: below it the cells hold too few for χ².
@@ -64,7 +64,7 @@ pub const FEWEST: u16 = 1 << 12;
 ///
 /// All of it lives where the caller puts it, the stack as a rule: no static memory.
 #[derive(Clone, Debug)]
-pub struct Check<S> {
+pub struct Test<S> {
     subject: S,
     samples: u16,
     invalid: Option<(u16, Invalid)>,
@@ -79,20 +79,20 @@ pub struct Check<S> {
     words: Tally,
 }
 
-/// A check of a law in the plane, sampled in the number type `T`.
-pub fn planar<T: Real, L: Planar<T>>(law: L) -> Check<InPlane<T, L>> {
-    Check::new(InPlane::new(law))
+/// A test of a law in the plane, sampled in the number type `T`.
+pub fn planar<T: Real, L: Planar<T>>(law: L) -> Test<InPlane<T, L>> {
+    Test::new(InPlane::new(law))
 }
 
-/// A check of a law in space, sampled in the number type `T`.
-pub fn spatial<T: Real, L: Spatial<T>>(law: L) -> Check<InSpace<T, L>> {
-    Check::new(InSpace::new(law))
+/// A test of a law in space, sampled in the number type `T`.
+pub fn spatial<T: Real, L: Spatial<T>>(law: L) -> Test<InSpace<T, L>> {
+    Test::new(InSpace::new(law))
 }
 
-impl<S: Subject> Check<S> {
-    /// An empty check of `subject`: a law by [`InPlane`] or [`InSpace`], or a sampler of your own.
+impl<S: Subject> Test<S> {
+    /// An empty test of `subject`: a law by [`InPlane`] or [`InSpace`], or a sampler of your own.
     pub fn new(subject: S) -> Self {
-        Check {
+        Test {
             subject,
             samples: 0,
             invalid: None,

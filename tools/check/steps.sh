@@ -5,6 +5,7 @@
 boards=qemu?,gcc?,defmt-print?,thumbv6m-none-eabi?,thumbv7m-none-eabi?,thumbv7em-none-eabi?,thumbv7em-none-eabihf?,riscv32imc-unknown-none-elf?
 #    name                     when  locks          needs             command
 step format                   quick -              format            formats
+step lockfiles                quick -              -                 lockfiles
 step lints                    quick clippy         clippy            lints
 step tests                    quick dev            -                 tests
 step boards-links             full  boards         $boards           on_target links
@@ -26,6 +27,7 @@ step boards-hashes-planted    full  boards         qemu,thumbv7em-none-eabihf pl
 step lints-firmware           full  lints-firmware $boards,clippy    lints_of_firmware
 step big-endian               full  s390x          s390x             big_endian_in_qemu
 step unoptimised              full  unoptimised    -                 unoptimised
+step figures                  quick -              -                 python3 tools/figures.py --check
 step docs                     quick docs           -                 docs
 step docs-rs                  full  docs-rs        nightly           docs_as_on_docs_rs
 step msrv                     full  msrv           msrv              cargo "+$(msrv)" build --lib --quiet --target-dir target/msrv
@@ -35,10 +37,15 @@ step readme                   full  release        -                 readme
 step runner                   quick -              -                 runner_says_what_it_lacks
 step readme-firmware          full  boards         qemu,defmt-print,thumbv7em-none-eabihf tools/check/readme README.md firmware
 
-formats() { # of every workspace
+workspaces=(Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml)
+formats() {
   local manifest
-  for manifest in Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml; do
-    cargo fmt --all --check --manifest-path "$manifest"
+  for manifest in "${workspaces[@]}"; do cargo fmt --all --check --manifest-path "$manifest"; done
+}
+lockfiles() { # as committed, so that two machines build the same
+  local manifest
+  for manifest in "${workspaces[@]}"; do
+    cargo metadata --locked --format-version 1 --manifest-path "$manifest" >/dev/null
   done
 }
 features() { awk '/^\[/ { on = /features/ } on && / = / { print $1 }' Cargo.toml; } # the library's
@@ -49,14 +56,17 @@ lints() {
   cargo clippy --lib --quiet -- -D warnings
 }
 tests() { cargo test --quiet --no-fail-fast --workspace --features "$(all_features)"; }
-lints_of_firmware() {
-  cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace $(there thumbv6m-none-eabi \
-    thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf) --target-dir target/on_target/lints -- -D warnings
+lints_of_firmware() { # one by one, since features of dependencies differ between them
+  local target
+  for target in $(there thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf); do
+    cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace "$target" \
+      --target-dir target/on_target/lints -- -D warnings
+  done
 }
-there() { # there TARGET…: --target for those whose core is there
+there() { # there TARGET…: --target=… for those whose core is there
   local target
   for target; do
-    [ -s "$logs/$target.need" ] && echo "SKIPPED: $target: $(<"$logs/$target.need")" >&2 || echo --target "$target"
+    [ -s "$logs/$target.need" ] && echo "SKIPPED: $target: $(<"$logs/$target.need")" >&2 || echo "--target=$target"
   done
 }
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features --quiet; }
@@ -68,7 +78,7 @@ features_alone() { # the library by itself too: what the tests depend on switche
   for feature in "" $(features); do
     echo "feature: ${feature:-none}"
     cargo check --quiet --lib --features "$feature"
-    cargo test --quiet --features "$feature" --test integrations --test golden
+    cargo test --quiet --features "$feature" --test integrations --test values
   done
 }
 core_for_targets() {

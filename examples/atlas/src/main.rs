@@ -4,6 +4,7 @@
 
 mod args;
 mod catalog;
+mod emblem;
 mod errors;
 mod figure;
 mod lobe;
@@ -65,7 +66,9 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     let overview = overview::draw(&entries, args.seed)?;
     let mut staging = output::Staging::new(&args.out)?;
     for plate in &plates {
-        staging.add(format!("{}.svg", plate.entry.name.slug()), &plate.figure)?;
+        let slug = plate.entry.name.slug();
+        staging.add(format!("{slug}.svg"), &plate.figure)?;
+        staging.add(format!("{slug}-small.svg"), &emblem::svg(&plate.entry))?;
     }
     staging.add("overview.svg".to_owned(), &overview)?;
     let page = page::html(&plates, &overview, args.samples, args.seed);

@@ -2,6 +2,8 @@
 
 use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::arith::scaled;
+use crate::arithmetic::double::constants::constants;
+use crate::arithmetic::double::power::{one_minus_power, snapped};
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
@@ -9,70 +11,9 @@ use crate::arithmetic::logarithmic::{self, Logarithmic};
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
-
-const fn constants(c: &Constants<Pair<f64>>) -> Constants<Double> {
-    Constants {
-        half_pi: Double::from_pair(c.half_pi),
-        two_pi: Double::from_pair(c.two_pi),
-        pi: Double::from_pair(c.pi),
-        recip_pi: Double::from_pair(c.recip_pi),
-        two_over_pi: Double::from_pair(c.two_over_pi),
-        recip_two_pi: Double::from_pair(c.recip_two_pi),
-        twelve_pi: Double::from_pair(c.twelve_pi),
-        three_over_two_pi: Double::from_pair(c.three_over_two_pi),
-        two_over_three_pi: Double::from_pair(c.two_over_three_pi),
-        ln_2: Double::from_pair(c.ln_2),
-        ln_two_pi: Double::from_pair(c.ln_two_pi),
-        ln_pi: Double::from_pair(c.ln_pi),
-        ln_two_over_pi: Double::from_pair(c.ln_two_over_pi),
-        ln_three_over_two_pi: Double::from_pair(c.ln_three_over_two_pi),
-    }
-}
-
-/// A power within 2⁻⁹⁰ of an `f64` is taken to be that: c³ of a c with few digits must come out
-/// exactly, since it can be a tie in a shorter format.
-#[inline]
-fn snapped(x: Double) -> Double {
-    if x.lo.abs() < x.hi.abs() * power_of_two(-90) {
-        Double::exact(x.hi)
-    } else {
-        x
-    }
-}
-
-/// 1 − (1 − v)ᵐ for small mv, by the binomial series: beside the axis mv itself can be a tie in a
-/// shorter format, and then the sign of the rest decides.
-#[inline]
-fn one_minus_power(m: Double, v: Double) -> Double {
-    let mut rest = Double::ONE;
-    for j in (1..7).rev() {
-        let step = (m - Double::int(j)) * v / Double::int(j + 1);
-        rest = if j == 1 {
-            step * rest
-        } else {
-            Double::ONE - step * rest
-        };
-    }
-    let first = m * v;
-    let sum = first - first * rest;
-    if sum.lo == 0.0 {
-        // The rest is too small to be held, but its sign counts.
-        let least = sum.hi * power_of_two(-120);
-        let lo = if rest.hi > 0.0 {
-            -least
-        } else if rest.hi < 0.0 {
-            least
-        } else {
-            0.0
-        };
-        return Double { hi: sum.hi, lo };
-    }
-    sum
-}
 
 impl Kernel for Double {
     type Wide = Double;

@@ -8,6 +8,7 @@
 pub(crate) mod angle;
 pub(crate) mod arith;
 pub(crate) mod coefficients;
+mod constants;
 pub(crate) mod disk;
 #[cfg(test)]
 mod hostile;
@@ -15,6 +16,7 @@ mod kernel;
 pub(crate) mod log_exp;
 pub(crate) mod nearest;
 mod operators;
+mod power;
 pub(crate) mod root;
 mod series;
 #[cfg(test)]

@@ -31,7 +31,7 @@ impl Grid {
     /// the two lies no number of the format and no midpoint of two.
     pub(crate) fn nearest(&self, x: Double, n: i32) -> u64 {
         let bits = x.hi.abs().to_bits();
-        let exponent = (bits >> 52) as i32 - 1023 + n;
+        let exponent = ((bits >> 52) as i32 - 1023).wrapping_add(n);
         let significand = 4 * ((bits & (u64::MAX >> 12)) | (1 << 52));
         let significand = if x.lo == 0.0 {
             significand
@@ -40,20 +40,23 @@ impl Grid {
         } else {
             significand - 1
         };
-        let below = (self.least - exponent).max(0);
-        let shift = 53 - self.digits + 2 + below;
+        let below = self.least.wrapping_sub(exponent).max(0);
+        let shift = below.wrapping_add(55).wrapping_sub(self.digits);
         if shift > 60 {
             return 0; // less than half of the least number
         }
         if exponent > 2000 {
             return self.infinity;
         }
-        let (kept, rest) = (significand >> shift, significand & ((1 << shift) - 1));
-        let half = 1 << (shift - 1);
+        let half = 1u64.wrapping_shl(shift.wrapping_sub(1) as u32);
+        let kept = significand.wrapping_shr(shift as u32);
+        let rest = significand & (half << 1).wrapping_sub(1);
         let up = rest > half || (rest == half && kept & 1 == 1);
         // The significand's leading digit counts the exponent up by one, and so does a carry.
-        let exponent = (exponent - self.least).max(0) as u64;
-        let rounded = (exponent << (self.digits - 1)) + kept + u64::from(up);
+        let exponent = exponent.wrapping_sub(self.least).max(0) as u64;
+        let rounded = (exponent << self.digits.wrapping_sub(1))
+            .wrapping_add(kept)
+            .wrapping_add(up.into());
         rounded.min(self.infinity)
     }
 }

@@ -1,9 +1,8 @@
 //! Constants and coefficients for f32, written by `python3 tools/coefficients.py`: do not edit.
 #![allow(clippy::approx_constant)] // the constants are the point
 
-use super::log2::Part;
 use super::pair::Pair;
-use super::table::Table;
+use super::table::{Part, Table};
 use crate::arithmetic::constants::Constants;
 
 pub(crate) const CONSTANTS: Constants<Pair<f32>> = Constants {

@@ -9,7 +9,7 @@ use crate::arithmetic::constants::Constants;
 use crate::scalar::Scalar;
 
 pub(crate) const fn power_of_two(n: i32) -> f64 {
-    f64::from_bits(((1023 + n) as u64) << 52)
+    f64::from_bits((n.wrapping_add(1023) as u64) << 52)
 }
 
 impl Scalar for f64 {
@@ -100,6 +100,7 @@ impl Float for f64 {
     const LIFT_BELOW: f64 = power_of_two(-500);
     const LIFT: f64 = power_of_two(512);
     const DROP: f64 = power_of_two(-512);
+    const ROOT_DROP: f64 = power_of_two(-256);
     const LIFT_EXPONENT: i32 = 512;
     const EXACT_CUBE: bool = true;
 

@@ -37,10 +37,13 @@ pub trait Float: Scalar {
     /// The least exponent of a normal number, and nearly its double.
     const LEAST_EXPONENT: i32;
     const TWICE_EXPONENT: i32;
-    /// Factors below `LIFT_BELOW` are multiplied by `LIFT` = 2 to the `LIFT_EXPONENT`; `DROP` is 1/`LIFT`.
+    /// Factors below `LIFT_BELOW` are multiplied by `LIFT` = 2 to the `LIFT_EXPONENT`; `DROP` is
+    /// 1/`LIFT`.
     const LIFT_BELOW: Self;
     const LIFT: Self;
     const DROP: Self;
+    /// √`DROP`.
+    const ROOT_DROP: Self;
     const LIFT_EXPONENT: i32;
     /// The cube of a logarithm's argument counts beyond the format.
     const EXACT_CUBE: bool;
@@ -60,7 +63,8 @@ pub trait Float: Scalar {
     fn nearest(self) -> (Self, i32);
     /// 2ⁿ for an exponent n of the format's normal numbers; some number for others.
     fn exp2(n: i32) -> Self;
-    /// (m, e) with self = m·2ᵉ and m from `least` to twice that, for finite self > 0; some numbers for others.
+    /// (m, e) with self = m·2ᵉ and m from `least` to twice that, for finite self > 0; some numbers
+    /// for others.
     fn split(self, least: Self) -> (Self, i32);
     /// The leading half of the significand's bits.
     fn leading_half(self) -> Self;

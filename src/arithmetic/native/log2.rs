@@ -1,22 +1,16 @@
 //! log₂ to about eight bits beyond the format, without a division, a branch or a look-up.
 //!
-//! Method: one of four short factors c, picked by compares, brings m to within 10 % of 1, exactly; then
-//! ln(1 + f) = f − f²/2 + f³·P(f) with the square (in `f64` the cube too) of f's leading digits exact.
-//! What is rounded is at most 2⁻⁸ of the result, so that its error is 2⁻³² (`f32`) or 2⁻⁶⁴ (`f64`).
+//! Method: one of four short factors c, picked by compares, brings m to within 10 % of 1, exactly;
+//! then ln(1 + f) = f − f²/2 + f³·P(f) with the square (in `f64` the cube too) of f's leading
+//! digits exact. What is rounded is at most 2⁻⁸ of the result, so that its error is 2⁻³² (`f32`)
+//! or 2⁻⁶⁴ (`f64`).
 //!
 //! Source: the reduction by a factor is P. T. P. Tang's, 1990, DOI 10.1145/98267.98294.
 
 use super::format::Native;
 use super::pair::Pair;
 use super::poly::by_fours;
-
-/// A factor c for significands from `from` on, and log₂ 1/c, its first word short.
-#[derive(Clone, Copy)]
-pub(crate) struct Part<T> {
-    pub(crate) from: T,
-    pub(crate) factor: T,
-    pub(crate) log: Pair<T>,
-}
+use super::table::Part;
 
 /// The part for the significand m.
 #[inline(always)]
@@ -68,8 +62,8 @@ fn ln_near_one<T: Native>(f: T, low: T) -> Pair<T> {
     }
 }
 
-/// log₂ of 2ᵉ(1 + f + low), 1 + f from 0.648 to 1.297, low a last place of f; the trailing word may be as
-/// large as 2⁻¹¹ (`f32`) or 2⁻²⁵ (`f64`) of the leading one.
+/// log₂ of 2ᵉ(1 + f + low), 1 + f from 0.648 to 1.297, low a last place of f; the trailing word
+/// may be as large as 2⁻¹¹ (`f32`) or 2⁻²⁵ (`f64`) of the leading one.
 #[inline(always)]
 pub(crate) fn log2<T: Native>(e: i32, f: T, low: T) -> Pair<T> {
     let part = part(T::ONE + f);

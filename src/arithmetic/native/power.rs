@@ -1,7 +1,8 @@
 //! cosᵏθ for any real k, as 2 to the k·log₂ cos θ.
 //!
-//! k multiplies the relative error of the logarithm by up to 150 (`f32`) or 1100 (`f64`) before cosᵏθ
-//! underflows, so the logarithm and the product keep eight bits beyond the format; what follows does not.
+//! k multiplies the relative error of the logarithm by up to 150 (`f32`) or 1100 (`f64`) before
+//! cosᵏθ underflows, so the logarithm and the product keep eight bits beyond the format; what
+//! follows does not.
 
 use super::exp2::{Scale, exp2_m1, whole_and_rest};
 use super::format::Native;
@@ -59,7 +60,11 @@ fn log_cosine<T: Native>(at: Cosine<T>) -> Log<T> {
     let near = T::select(turned, T::ONE - two * square.hi, -square.hi);
     let near_lo = -T::select(turned, two, T::ONE) * square_lo;
     let (m, e) = small.hi.split(T::TABLE.log_parts[0].from);
-    let e = if far { e } else { -i32::from(turned) };
+    let e = if far {
+        e
+    } else {
+        i32::from(turned).wrapping_neg()
+    };
     let f = T::select(far, m - T::ONE, near);
     let low = T::select(
         far,
@@ -127,11 +132,11 @@ pub(crate) fn power_tails<T: Native>(n: Pair<T>, at: Cosine<T>) -> (T, T) {
 #[inline]
 pub(crate) fn ln<T: Native>(x: Pair<T>) -> Pair<T> {
     let (m, e) = x.hi.split(T::TABLE.log_parts[0].from);
-    log2(e, m - T::ONE, x.lo.scale(-e)).mul(T::CONSTANTS.ln_2)
+    log2(e, m - T::ONE, x.lo.scale(e.wrapping_neg())).mul(T::CONSTANTS.ln_2)
 }
 
-/// k·ln cos θ + ln sin θ + c, −∞ where cos θ or sin θ is 0. Summed in pairs, since its terms cancel where the
-/// density passes 1.
+/// k·ln cos θ + ln sin θ + c, −∞ where cos θ or sin θ is 0. Summed in pairs, since its terms
+/// cancel where the density passes 1.
 #[inline]
 pub(crate) fn ln_power_times_sine<T: Native>(k: Pair<T>, at: Cosine<T>, c: Pair<T>) -> T {
     // In quarters: log₂ overflows before ln does.

@@ -1,6 +1,5 @@
 //! The coefficients that a format brings to the kernels.
 
-use super::log2::Part;
 use super::pair::Pair;
 
 /// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each
@@ -29,4 +28,12 @@ pub struct Table<T: 'static> {
     pub(crate) third: Pair<T>,
     pub(crate) half_pi_rest: T,
     pub(crate) sine_head: &'static [Pair<T>],
+}
+
+/// A factor c for significands from `from` on, and log₂ 1/c, whose leading part is short.
+#[derive(Clone, Copy)]
+pub(crate) struct Part<T> {
+    pub(crate) from: T,
+    pub(crate) factor: T,
+    pub(crate) log: Pair<T>,
 }

@@ -1,8 +1,9 @@
 //! (cos θ, sin θ) with cosⁿθ a given tail: the n-th root of a probability, and what it leaves of 1.
 //!
-//! Method: y = (2/n)·log₂ of the tail; cos²θ = 2ʸ, of which cos θ is the root, which halves its error, and
-//! sin²θ what it lacks of 1, from 2ʳ − 1 at y's distance r to the nearest integer. The logarithm is that of the nearer tail,
-//! e + log₂(1 + f) with f exact. 2/n is held as a short head, whose product with e is exact, and a rest.
+//! Method: y = (2/n)·log₂ of the tail; cos²θ = 2ʸ, of which cos θ is the root, which halves its
+//! error, and sin²θ what it lacks of 1, from 2ʳ − 1 at y's distance r to the nearest integer. The
+//! logarithm is that of the nearer tail, e + log₂(1 + f) with f exact. 2/n is held as a short
+//! head, whose product with e is exact, and a rest.
 //!
 //! No branch, no pair arithmetic in the hot path.
 
@@ -35,8 +36,8 @@ impl<T: Native> TailRoot<T> {
             head,
             rest: (share.hi - head) + share.lo,
             slope: share.div(T::CONSTANTS.ln_2),
-            up: two / m * T::exp2(60 - (e & 1)),
-            down: T::exp2(-30 - (e >> 1)),
+            up: two / m * T::exp2(60i32.wrapping_sub(e & 1)),
+            down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
     }
 

@@ -6,6 +6,7 @@
 pub(crate) mod angle;
 pub(crate) mod coefficients;
 mod draw;
+mod frame;
 pub(crate) mod kepler;
 pub(crate) mod root;
 #[cfg(test)]
@@ -14,7 +15,7 @@ pub(crate) mod turn;
 pub(crate) mod word;
 
 use super::drawn::Drawn;
-use super::format::{Format, Turn};
+use super::format::{Component, Format, Turn};
 use super::planar;
 use ::fixed::types::{I0F16, I1F15, U0F16};
 use rand_core::TryRng;
@@ -25,6 +26,10 @@ use word::ONE;
 pub struct Q15;
 
 impl Turn for I0F16 {
+    type Format = Q15;
+}
+
+impl Component for I1F15 {
     type Format = Q15;
 }
 
@@ -51,6 +56,11 @@ impl Format for Q15 {
     #[inline(always)]
     fn probability(q32: u32) -> U0F16 {
         U0F16::from_bits(word::rounded(q32) as u16)
+    }
+
+    #[inline(always)]
+    fn phase(q32: u32) -> U0F16 {
+        U0F16::from_bits((q32.wrapping_add(1 << 15) >> 16) as u16)
     }
 
     #[inline(always)]
@@ -142,6 +152,47 @@ impl Format for Q15 {
     #[inline(always)]
     fn first_quadrant(cos: u32, sin: u32) -> u32 {
         angle::first_quadrant(cos, sin)
+    }
+
+    /// 2⁻¹²: of components that are off by 2 units.
+    const LENGTH_SLACK: u64 = 1 << 50;
+    /// 2⁻¹² of the length: eight units.
+    const SLACK: u32 = 1 << 19;
+
+    #[inline(always)]
+    fn units(component: I1F15) -> i32 {
+        i32::from(component.to_bits()).max(-0x7FFF)
+    }
+
+    #[inline(always)]
+    fn of_units(units: i32) -> I1F15 {
+        I1F15::from_bits(units as i16)
+    }
+
+    #[inline(always)]
+    fn square_off(normal: [i32; 3]) -> u32 {
+        frame::square_off(normal)
+    }
+
+    #[inline(always)]
+    fn frame_recip(z: i32) -> i32 {
+        frame::recip(z)
+    }
+
+    #[inline(always)]
+    fn to_world(normal: [i32; 3], recip: i32, local: [i32; 3]) -> [i32; 3] {
+        frame::to_world(normal, recip, local)
+    }
+
+    #[inline(always)]
+    fn to_local(normal: [i32; 3], recip: i32, world: [i32; 3]) -> [i32; 3] {
+        frame::to_local(normal, recip, world)
+    }
+
+    #[inline(always)]
+    fn part(sin: i32, part: i32) -> I1F15 {
+        let [a, b] = [sin, part].map(|c| Self::clamped(c).wrapping_add(1 << 15) >> 16);
+        I1F15::from_bits((a.wrapping_mul(b).wrapping_add(1 << 14) >> 15) as i16)
     }
 
     #[inline(always)]

@@ -4,6 +4,7 @@ pub(crate) mod angle;
 pub(crate) mod cbrt;
 pub(crate) mod coefficients;
 pub(crate) mod draw;
+mod frame;
 pub(crate) mod kepler;
 pub(crate) mod log;
 pub(crate) mod recip;
@@ -13,7 +14,7 @@ mod tests;
 pub(crate) mod turn;
 
 use super::drawn::Drawn;
-use super::format::{Format, Turn};
+use super::format::{Component, Format, Turn};
 use super::kernel::{mul, signed};
 use super::planar;
 use ::fixed::types::{I0F32, I1F31, U0F32};
@@ -25,6 +26,10 @@ use turn::ONE;
 pub struct Q31;
 
 impl Turn for I0F32 {
+    type Format = Q31;
+}
+
+impl Component for I1F31 {
     type Format = Q31;
 }
 
@@ -49,6 +54,11 @@ impl Format for Q31 {
 
     #[inline(always)]
     fn probability(q32: u32) -> U0F32 {
+        U0F32::from_bits(q32)
+    }
+
+    #[inline(always)]
+    fn phase(q32: u32) -> U0F32 {
         U0F32::from_bits(q32)
     }
 
@@ -140,6 +150,47 @@ impl Format for Q31 {
     #[inline(always)]
     fn first_quadrant(cos: u32, sin: u32) -> u32 {
         angle::first_quadrant(cos, sin)
+    }
+
+    /// 2⁻²⁶: of components that are off by 4 units.
+    const LENGTH_SLACK: u64 = 1 << 36;
+    /// 2⁻²⁰ of the length.
+    const SLACK: u32 = 1 << 11;
+
+    #[inline(always)]
+    fn units(component: I1F31) -> i32 {
+        component.to_bits().max(-i32::MAX)
+    }
+
+    #[inline(always)]
+    fn of_units(units: i32) -> I1F31 {
+        I1F31::from_bits(units)
+    }
+
+    #[inline(always)]
+    fn square_off(normal: [i32; 3]) -> u32 {
+        frame::square_off(normal)
+    }
+
+    #[inline(always)]
+    fn frame_recip(z: i32) -> i32 {
+        frame::recip(z)
+    }
+
+    #[inline(always)]
+    fn to_world(normal: [i32; 3], recip: i32, local: [i32; 3]) -> [i32; 3] {
+        frame::to_world(normal, recip, local)
+    }
+
+    #[inline(always)]
+    fn to_local(normal: [i32; 3], recip: i32, world: [i32; 3]) -> [i32; 3] {
+        frame::to_local(normal, recip, world)
+    }
+
+    #[inline(always)]
+    fn part(sin: i32, part: i32) -> I1F31 {
+        let size = mul::mul_high(sin.unsigned_abs() << 1, part.unsigned_abs());
+        I1F31::from_bits(signed(size, (sin ^ part) as u32))
     }
 
     #[inline(always)]

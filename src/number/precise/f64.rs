@@ -123,7 +123,7 @@ impl Tier for Precise<f64> {
 fn turn(bits: u64) -> (u32, Double) {
     let (quadrant, part) = parts_of_turn(bits);
     let hi = part as f64;
-    let lo = (part - hi as i64) as f64;
+    let lo = part.wrapping_sub(hi as i64) as f64;
     (
         quadrant,
         Double { hi, lo } * Double::exact(power_of_two(-65)),

@@ -230,9 +230,9 @@ fn law<T: Real>(law: &impl Law<T>, x: T) -> T {
         + m.var_theta
 }
 
-fn sound<S: self_test::Subject>(mut check: self_test::Check<S>, rng: &mut Words) -> bool {
-    check.run(rng, self_test::SAMPLES);
-    check.verdict(self_test::Alarm::OneInBillion).is_ok()
+fn sound<S: self_test::Subject>(mut test: self_test::Test<S>, rng: &mut Words) -> bool {
+    test.run(rng, self_test::SAMPLES);
+    test.verdict(self_test::Alarm::OneInBillion).is_ok()
 }
 
 fn point<T: Real>(law: &impl SpatialPoint<T>, rho: Radius<T>, x: T, rng: &mut Words) -> T {

@@ -10,6 +10,7 @@ use super::truth::{BLOCK, Truth};
 use super::truths::{Angle, Slot, Truths, angle_slots, tail_slots};
 use super::wide::HALF_PI;
 use rayon::prelude::*;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 use std::ops::Range;
 
 /// What is put in: an angle in [0, π/2] and its pair, or a probability in [0, ½] from either end,
@@ -43,6 +44,16 @@ impl Input {
         }
     }
 
+    /// Whether the upper end of the range is nearer than the lower.
+    fn nears_the_end<F: Format>(self, x: F) -> bool {
+        let middle = match self {
+            Input::Angle => FRAC_PI_4,
+            Input::Cos | Input::Sin => FRAC_1_SQRT_2,
+            Input::Tail => f64::INFINITY,
+        };
+        x.wide() > middle
+    }
+
     fn place<F: Format>(self, x: F) -> Place {
         let x = x.wide();
         Place::new::<F>(match self {
@@ -74,7 +85,8 @@ impl<F: Format> Bench<F> {
     fn block(&mut self, subjects: &[Subject<F>], input: Input, x: &[F], tally: &mut Tally) {
         self.places.clear();
         let (first, last) = (input.place(x[0]), input.place(x[x.len() - 1]));
-        let together = first == last && x.windows(2).all(|w| w[0] < w[1]);
+        let one_side = input.nears_the_end(x[0]) == input.nears_the_end(x[x.len() - 1]);
+        let together = one_side && first == last && x.windows(2).all(|w| w[0] < w[1]);
         if together {
             self.places.push(first);
         } else {
