@@ -7,7 +7,7 @@ use core::convert::Infallible;
 use core::ffi::{c_int, c_void};
 use core::marker::PhantomData;
 use coslobe::rand_core::{Rng, TryRng};
-use coslobe::self_test::{self, Alarm, Check, Fault, Score, Statistic, Subject};
+use coslobe::self_test::{self, Alarm, Fault, Score, Statistic, Subject, Test};
 
 /// The header's `COSLOBE_…`; above 0 is what the generator returned.
 pub(crate) const OK: c_int = 0;
@@ -260,7 +260,7 @@ impl From<Fault> for CFault {
 pub(crate) unsafe fn judge<S: Subject>(
     rng: *const Generator,
     fault: *mut CFault,
-    mut check: Check<S>,
+    mut check: Test<S>,
 ) -> c_int {
     // SAFETY: the caller's promise.
     let Some(mut words) = (unsafe { words(rng) }) else {

@@ -1,7 +1,7 @@
 //! What the C program has to print: a hash of the same calls, made in Rust, for each function.
 
 use crate::c_integers;
-use coslobe::self_test::{self, Alarm, Check, Fault, Subject};
+use coslobe::self_test::{self, Alarm, Fault, Subject, Test};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, PlanarPoint,
     Radius, Real, Spatial, SpatialPoint, SphereShell,
@@ -95,7 +95,7 @@ impl Lines {
         &mut self,
         law: &str,
         number: &str,
-        mut check: Check<S>,
+        mut check: Test<S>,
     ) {
         let mut stuck = check.clone();
         check.run(&mut rng(), self_test::SAMPLES);

@@ -1,38 +1,24 @@
 //! Exact moments against values computed apart (`tools/reference.py`).
 
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Law, Moments, Precise, Real,
-    SphereShell,
-};
+use coslobe::{CosPower, Law, Moments, Precise};
+use kit::catalogue::{self, every_number};
+use kit::{Id, Number, NumberVisitor};
 
-fn moments<T: Real>(law: &str, round: impl Fn(f64) -> T) -> Moments<T> {
-    match law {
-        "Disk" => Disk.moments(),
-        "CircleShell" => CircleShell.moments(),
-        "CircleArc" => CircleArc.moments(),
-        "Ball" => Ball.moments(),
-        "SphereShell" => SphereShell.moments(),
-        "Lambert" => Lambert.moments(),
-        power => {
-            let k = power
-                .strip_prefix("CosPower(")
-                .and_then(|k| k.strip_suffix(')'));
-            let k = k.and_then(|k| k.parse().ok()).expect("a law of the table");
-            CosPower::new(round(k)).expect("a valid exponent").moments()
-        }
-    }
+fn moments<T: Number>(law: &str) -> Moments<T> {
+    let law = Id::parse(law).expect("a law of the table");
+    catalogue::moments(law).expect("a valid exponent")
 }
 
 /// The fixed laws' moments are constants, correctly rounded. `CosPower` computes them: its variance
 /// of θ is the difference of two sums, its entropy crosses zero, its k is rounded to the format.
-fn agrees<T: Real>(epsilon: f64, round: impl Fn(f64) -> T, wide: impl Fn(T) -> f64) {
-    let table = include_str!("reference/moments.csv");
+fn agrees<T: Number>() {
+    let table = include_str!("../reference/moments.csv");
     let mut checked = 0;
     for line in table.lines().filter(|l| !l.starts_with('#')) {
         let cells: Vec<_> = line.split(',').collect();
         let want = f64::from_bits(u64::from_str_radix(cells[2], 16).expect("hex bits"));
-        let m = moments(cells[0], &round);
-        let got = wide(match cells[1] {
+        let m = moments::<T>(cells[0]);
+        let got = T::wide(match cells[1] {
             "mean_cos" => m.mean_cos,
             "var_cos" => m.var_cos,
             "mean_theta" => m.mean_theta,
@@ -48,36 +34,35 @@ fn agrees<T: Real>(epsilon: f64, round: impl Fn(f64) -> T, wide: impl Fn(T) -> f
                 want.abs()
             };
             assert!(
-                (got - want).abs() <= ulps * epsilon * scale,
+                (got - want).abs() <= ulps * T::EPSILON * scale,
                 "{line}: {got:e}, {want:e}"
             );
         } else {
-            assert_eq!(got, wide(round(want)), "{line}");
+            assert_eq!(got, T::of(want).wide(), "{line}");
         }
         checked += 1;
     }
     assert_eq!(checked, 70);
 }
 
-#[test]
-fn f64_moments() {
-    agrees(f64::EPSILON, |x| x, |x: f64| x);
-    agrees(f64::EPSILON, Precise, |x: Precise<f64>| x.0);
+struct Agree;
+
+impl NumberVisitor for Agree {
+    fn number<T: Number>(&mut self) {
+        agrees::<T>();
+    }
 }
 
 #[test]
-fn f32_moments() {
-    agrees(f64::from(f32::EPSILON), |x| x as f32, f64::from);
-    agrees(f64::from(f32::EPSILON), |x| Precise(x as f32), f64::from);
-    // By `f32`'s code: moments are no inner loop's business.
-    agrees(f64::from(f32::EPSILON), |x| Fast(x as f32), f64::from);
+fn moments_in_every_number_type() {
+    every_number(&mut Agree);
 }
 
 /// `CosPower` in `Precise<f32>` too gives the nearest number, where k is one of the format: it computes in
 /// `f64`. `Precise<f64>` does so as well, and so has `f64`'s own errors there.
 #[test]
 fn precise_f32_moments_of_a_lobe_are_the_nearest() {
-    let table = include_str!("reference/moments.csv");
+    let table = include_str!("../reference/moments.csv");
     let mut checked = 0;
     for line in table.lines().filter(|l| l.starts_with("CosPower")) {
         let cells: Vec<_> = line.split(',').collect();
@@ -89,7 +74,7 @@ fn precise_f32_moments_of_a_lobe_are_the_nearest() {
             continue;
         }
         let want = f64::from_bits(u64::from_str_radix(cells[2], 16).expect("hex bits"));
-        let m = moments(cells[0], |x| Precise(x as f32));
+        let m = moments::<Precise<f32>>(cells[0]);
         let got = match cells[1] {
             "mean_cos" => m.mean_cos,
             "var_cos" => m.var_cos,

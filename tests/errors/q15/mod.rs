@@ -1,19 +1,14 @@
 //! The 16-bit laws against closed `f64` forms, on every input:
-//! `cargo test --features fixed --test fixed16 -- --nocapture`.
-#![cfg(feature = "fixed")]
+//! `cargo test --test errors q15 -- --nocapture`.
 
 mod corners;
-mod golden;
-mod maps;
 mod pairs;
-mod samples;
 mod wrong;
 
 use fixed::types::I1F15;
-use kit::integer::short::{Pair, Subject, subjects};
+use kit::integer::short::{Pair, Q15, Subject, subjects};
 use pairs::{length_off, pair, unit_pairs};
 
-const Q15: f64 = 32768.0;
 const Q16: f64 = 65536.0;
 
 /// Largest error in units of the last place, and its input.

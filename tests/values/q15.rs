@@ -1,7 +1,7 @@
 //! Value stability: a hash of every result on all words and of 10⁵ samples, as committed in `tests/golden/fixed16.txt`.
 //!
 //! If a change is meant, mark it "value-breaking" in the changelog and run
-//! `COSLOBE_BLESS=1 cargo test --features fixed --test fixed16 golden`.
+//! `COSLOBE_BLESS=1 cargo test --test values`.
 
 use coslobe::Fixed16;
 use fixed::types::I1F15;

@@ -1,9 +1,9 @@
 //! Pairs of words.
 
-use crate::Q15;
 use coslobe::CosSin;
 use fixed::types::I1F15;
 use kit::integer::short::Pair;
+use kit::integer::short::Q15;
 
 pub(crate) fn length_off(at: Pair) -> f64 {
     (f64::from(at.cos.to_bits()).hypot(f64::from(at.sin.to_bits())) - Q15).abs()

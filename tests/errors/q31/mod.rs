@@ -1,6 +1,5 @@
 //! The fixed-point laws against closed `f64` forms: in strides always, and on every word by
-//! `cargo test --release --features fixed --test fixed -- --ignored --nocapture --test-threads 1`.
-#![cfg(feature = "fixed")]
+//! `cargo test --release --test errors q31 -- --ignored --nocapture --test-threads 1`.
 
 mod corners;
 mod cos_power;
@@ -166,13 +165,13 @@ fn laws_in_strides() {
 }
 
 #[test]
-#[ignore = "2³² words for each law: cargo test --release --features fixed --test fixed -- --ignored --nocapture"]
+#[ignore = "2³² words for each law: cargo test --release --test errors q31 -- --ignored --nocapture"]
 fn warps_exhaustively() {
     hold(&[0, 2], 1);
 }
 
 #[test]
-#[ignore = "2²⁶ words for each law and operation: cargo test --release --features fixed --test fixed -- --ignored --nocapture"]
+#[ignore = "2²⁶ words for each law and operation: cargo test --release --test errors q31 -- --ignored --nocapture"]
 fn laws_in_fine_strides() {
     hold(&[0, 1, 2, 3, 4, 5, 6, 7, 8, 9], 61);
 }

@@ -1,12 +1,11 @@
 //! Points before normalisation: distances and densities against the formulas in wider arithmetic.
 
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Measure, Precise, Radius,
-    SphereShell, Tangent,
-};
+use coslobe::{Ball, CosSin, Disk, Lambert, Measure, Precise, Radius, SphereShell, Tangent};
 use kit::Number;
 use kit::accuracy::format::{Format, ulp};
 use kit::accuracy::wide::Wide;
+use kit::catalogue::{self, every_number};
+use kit::{Id, LawVisitor, NumberVisitor, PlanarLaw, SpatialLaw, TangentLaw};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -107,13 +106,24 @@ fn judge<T: Number, L: Tangent<T>>(law: &L, rho: T, at: CosSin<T>, v: T) {
     }
 }
 
+struct Judge<T> {
+    rho: T,
+    at: CosSin<T>,
+    v: T,
+}
+
+impl<T: Number> LawVisitor<T> for Judge<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        judge(&law, self.rho, self.at, self.v);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, _: L) {}
+    fn tangent<L: TangentLaw<T>>(&mut self, _: Id, law: L) {
+        judge(&law, self.rho, self.at, self.v);
+    }
+}
+
 fn every_law<T: Number>(rho: T, at: CosSin<T>, v: T) {
-    judge(&Disk, rho, at, v);
-    judge(&CircleArc, rho, at, v);
-    judge(&CircleShell, rho, at, v);
-    judge(&Ball, rho, at, v);
-    judge(&SphereShell, rho, at, v);
-    judge(&Lambert, rho, at, v);
+    catalogue::every_law(&mut Judge { rho, at, v }, &[]);
 }
 
 /// The pair of a cosine or of a sine, the other component rounded.
@@ -132,7 +142,6 @@ fn pair<T: Number>(x: T, is_cos: bool) -> CosSin<T> {
 fn everywhere<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(17);
     let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
-    let round = |x: f64| T::of(x);
     let least = 2f64.powi(T::Raw::LEAST);
     let (low, high) = (least.log2(), (T::Raw::MAX_VALUE / 4.0).log2());
     let one = T::Raw::of(1.0).bits();
@@ -149,7 +158,7 @@ fn everywhere<T: Number>() {
                 .powf(low + (high - low) * unit())
                 .clamp(least, T::Raw::MAX_VALUE / 4.0),
         };
-        let rho = round(rho);
+        let rho = T::of(rho);
         let mut logarithmic = || {
             let bits = floor + (one as f64 - floor) * unit();
             T::of_raw(T::Raw::of_bits(bits as u64))
@@ -158,31 +167,23 @@ fn everywhere<T: Number>() {
         if i % 2 == 0 {
             every_law(rho, pair(x, i % 4 == 0), v);
         } else {
-            let (x, v) = (round(unit()), round(unit()));
+            let (x, v) = (T::of(unit()), T::of(unit()));
             every_law(rho, pair(x, i % 4 == 1), v);
         }
     }
 }
 
-#[test]
-fn f32_points() {
-    everywhere::<f32>();
+struct Everywhere;
+
+impl NumberVisitor for Everywhere {
+    fn number<T: Number>(&mut self) {
+        everywhere::<T>();
+    }
 }
 
 #[test]
-fn f64_points() {
-    everywhere::<f64>();
-}
-
-#[test]
-fn precise_points() {
-    everywhere::<Precise<f32>>();
-    everywhere::<Precise<f64>>();
-}
-
-#[test]
-fn fast_points() {
-    everywhere::<Fast<f32>>();
+fn points_in_every_number_type() {
+    every_number(&mut Everywhere);
 }
 
 /// Products that were 0, or had lost most of their digits, before the large factor came.

@@ -1,9 +1,10 @@
 //! Wrong laws, which the exhaustive errors must catch.
 
-use crate::pairs::unit_pairs;
-use crate::{PAIRS, Q15, WORDS, Worst};
+use super::pairs::unit_pairs;
+use super::{PAIRS, WORDS, Worst};
 use coslobe::{Ball, CosSin, Fixed16};
 use fixed::types::{I1F15, U0F16};
+use kit::integer::short::Q15;
 use kit::integer::short::{Pair, Subject, subjects};
 
 fn caught(law: Subject, row: &str) -> bool {

@@ -1,6 +1,6 @@
 //! Any pair, angles outside the support, and wrong laws, which must be caught.
 
-use crate::{ROWS, Worst, worst};
+use super::{ROWS, Worst, worst};
 use coslobe::{CosSin, Fixed};
 use fixed::types::{I1F31, U0F32, U16F16};
 use kit::integer::reference::{Q31, Subject, subjects};

@@ -1,11 +1,11 @@
 //! χ², Kolmogorov–Smirnov, moments and tails of the 16-bit samplers; wrong ones, which must fail them; and generators
 //! that are stuck.
 
-use crate::Q15;
 use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, Law, Moments, SphereShell};
 use fixed::types::I1F15;
+use kit::integer::short::Q15;
 use kit::stats::claim::{Claim, Direction};
 use kit::stats::harness::{examine, examine_tail};
 use kit::stats::ks;

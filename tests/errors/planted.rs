@@ -1,4 +1,4 @@
-//! Planted errors, each of which the judges of `tests/error_bounds.rs` must notice.
+//! Planted errors, each of which the judges of `sweeps` must notice.
 
 use coslobe::{CircleShell, CosSin, Law, SphereShell};
 use kit::accuracy::bounds::broken;

@@ -1,10 +1,12 @@
+//! Promise: bounded work, whatever the generator.
+//!
 //! Stuck and hostile generators: every sampler ends, draws its documented words and keeps its promises.
 
-use coslobe::{CosSin, Fast, Law, Measure, Planar, Precise, Radius, Spatial, Tails, uniform};
-use kit::catalogue::every_law;
+use coslobe::{CosSin, Law, Measure, Planar, Radius, Spatial, Tails, uniform};
+use kit::catalogue::{every_law, every_number};
 use kit::stats::claim::Claim;
 use kit::stats::words::{Source, Words, hostile};
-use kit::{Drawn, Id, LawVisitor, Number, PlanarLaw, SpatialLaw, TangentLaw};
+use kit::{Drawn, Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw, TangentLaw};
 
 /// Words of one probability, of one azimuth, and of a direction with both.
 fn documented<T: Number>() -> [Drawn; 3] {
@@ -199,32 +201,22 @@ fn uniforms<T: Number>() {
 const F32_EXPONENTS: [f64; 7] = [0.0, 1e-30, 0.5, 7.3, 1e4, 1e12, f32::MAX as f64];
 const F64_EXPONENTS: [f64; 7] = [0.0, 1e-300, 0.5, 7.3, 1e4, 1e12, f64::MAX];
 
-#[test]
-fn hostile_generators_f32() {
-    uniforms::<f32>();
-    every_law::<f32>(&mut Hostile, &F32_EXPONENTS);
+impl NumberVisitor for Hostile {
+    fn number<T: Number>(&mut self) {
+        let single = size_of::<T>() == 4;
+        uniforms::<T>();
+        every_law::<T>(
+            self,
+            if single {
+                &F32_EXPONENTS
+            } else {
+                &F64_EXPONENTS
+            },
+        );
+    }
 }
 
 #[test]
-fn hostile_generators_f64() {
-    uniforms::<f64>();
-    every_law::<f64>(&mut Hostile, &F64_EXPONENTS);
-}
-
-#[test]
-fn hostile_generators_precise_f32() {
-    uniforms::<Precise<f32>>();
-    every_law::<Precise<f32>>(&mut Hostile, &F32_EXPONENTS);
-}
-
-#[test]
-fn hostile_generators_precise_f64() {
-    uniforms::<Precise<f64>>();
-    every_law::<Precise<f64>>(&mut Hostile, &F64_EXPONENTS);
-}
-
-#[test]
-fn hostile_generators_fast_f32() {
-    uniforms::<Fast<f32>>();
-    every_law::<Fast<f32>>(&mut Hostile, &F32_EXPONENTS);
+fn hostile_generators() {
+    every_number(&mut Hostile);
 }

@@ -1,6 +1,6 @@
 //! Any pair, both ends, and order.
 
-use crate::pairs::pair;
+use super::pairs::pair;
 use coslobe::{Fixed16, Lambert};
 use fixed::types::U0F16;
 use kit::integer::short::{Subject, subjects};
@@ -28,7 +28,7 @@ fn pairs_in_strides() {
 }
 
 #[test]
-#[ignore = "2³² pairs: cargo test --features fixed --test fixed16 -- --ignored"]
+#[ignore = "2³² pairs: cargo test --test errors q15 -- --ignored"]
 fn every_pair() {
     any_pair_is_safe(1);
 }

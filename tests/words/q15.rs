@@ -1,11 +1,11 @@
 //! Each sample against the closed form of the words that it took, which pins what is documented of them.
 
-use crate::Q15;
 use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::I1F15;
 use kit::Id;
+use kit::integer::short::Q15;
 use kit::integer::truth::Truth;
 use kit::stats::words::{self, Words};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};

@@ -18,10 +18,7 @@ struct Row {
 
 fn rows(table: &'static str) -> Vec<Row> {
     let number = |s: &str| f64::from_bits(u64::from_str_radix(s, 16).expect("hex bits"));
-    let law = |name: &str| match name.strip_prefix("CosPower(") {
-        Some(k) => Id::CosPower(k.trim_end_matches(')').parse().expect("an exponent")),
-        None => *Id::FIXED.iter().find(|l| l.name() == name).expect("a law"),
-    };
+    let law = |name: &str| Id::parse(name).expect("a law");
     table
         .lines()
         .filter(|l| !l.starts_with('#'))
@@ -39,8 +36,8 @@ fn rows(table: &'static str) -> Vec<Row> {
 }
 
 fn arb() -> Vec<Row> {
-    let mut all = rows(include_str!("reference/angles.csv"));
-    all.extend(rows(include_str!("reference/tails.csv")));
+    let mut all = rows(include_str!("../reference/angles.csv"));
+    all.extend(rows(include_str!("../reference/tails.csv")));
     assert!(all.len() > 7000);
     all
 }

@@ -35,7 +35,7 @@ fn f32_strided() {
 }
 
 #[test]
-#[ignore = "opt-in, half an hour for each number type: cargo test --release --test error_bounds -- --ignored"]
+#[ignore = "opt-in, half an hour for each number type: cargo test --release --test errors -- --ignored"]
 fn f32_exhaustive() {
     swept::<f32>(&Id::FIXED, 1);
 }
@@ -126,7 +126,7 @@ fn quantiles_are_monotone_and_odd() {
 }
 
 #[test]
-#[ignore = "opt-in, minutes: cargo test --release --test error_bounds -- --ignored"]
+#[ignore = "opt-in, minutes: cargo test --release --test errors -- --ignored"]
 fn f32_quantiles_are_monotone_everywhere() {
     never_steps_back(|s| monotone::strided(s, 1), f32::tiers);
 }

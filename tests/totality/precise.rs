@@ -1,58 +1,19 @@
 //! What the `Precise` types do with NaN, ∞, signed zeros and arguments outside the support: what the plain
 //! types do, to 16 places.
 
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Precise, Real, Spatial,
-    SphereShell,
-};
+use coslobe::{CosSin, Law, Precise, Spatial};
+use kit::catalogue::every_law;
+use kit::{Format, Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 
-/// Numbers as their place in the format's order, −0 beside +0.
-trait Format: Real + PartialEq {
-    fn of(x: f64) -> Self;
-    /// `None` for NaN.
-    fn place(self) -> Option<i64>;
-    fn is_negative_zero(self) -> bool;
+/// Its place in the format's order, −0 beside +0; `None` for NaN.
+fn place<T: Number>(x: T) -> Option<i64> {
+    let top = 1u64 << (8 * size_of::<T>() - 1);
+    let size = (x.bits() & (top - 1)) as i64;
+    (!x.nan()).then_some(if x.wide() < 0.0 { -size } else { size })
 }
 
-impl Format for f64 {
-    fn of(x: f64) -> f64 {
-        x
-    }
-    fn place(self) -> Option<i64> {
-        let size = (self.to_bits() & (u64::MAX >> 1)) as i64;
-        (!self.is_nan()).then_some(if self < 0.0 { -size } else { size })
-    }
-    fn is_negative_zero(self) -> bool {
-        self.to_bits() == 1 << 63
-    }
-}
-
-impl Format for f32 {
-    fn of(x: f64) -> f32 {
-        x as f32
-    }
-    fn place(self) -> Option<i64> {
-        let size = i64::from(self.to_bits() & (u32::MAX >> 1));
-        (!self.is_nan()).then_some(if self < 0.0 { -size } else { size })
-    }
-    fn is_negative_zero(self) -> bool {
-        self.to_bits() == 1 << 31
-    }
-}
-
-impl<T: Format> Format for Precise<T>
-where
-    Precise<T>: Real,
-{
-    fn of(x: f64) -> Self {
-        Precise(T::of(x))
-    }
-    fn place(self) -> Option<i64> {
-        self.0.place()
-    }
-    fn is_negative_zero(self) -> bool {
-        self.0.is_negative_zero()
-    }
+fn is_negative_zero<T: Number>(x: T) -> bool {
+    x.wide() == 0.0 && x.negative()
 }
 
 const EXPONENTS: [f64; 9] = [0.0, 1e-310, 1e-30, 0.5, 1.0, 7.3, 1e4, 1e12, f64::MAX];
@@ -65,24 +26,31 @@ struct Input {
 }
 
 /// Every operation of every law, by name.
-fn all<T: Format>(input: Input) -> Vec<(String, T)> {
-    let mut out = Vec::new();
-    planar(&mut out, "Disk", &Disk, input);
-    planar(&mut out, "CircleShell", &CircleShell, input);
-    planar(&mut out, "CircleArc", &CircleArc, input);
-    spatial(&mut out, "Ball", &Ball, input);
-    spatial(&mut out, "SphereShell", &SphereShell, input);
-    spatial(&mut out, "Lambert", &Lambert, input);
-    for k in EXPONENTS {
-        // The largest exponent of each format.
-        let law = CosPower::new(T::of(k)).or(CosPower::new(T::of(f32::MAX.into())));
-        let law = law.expect("a valid exponent");
-        spatial(&mut out, &format!("CosPower({k:e})"), &law, input);
-    }
-    out
+fn all<T: Number>(input: Input) -> Vec<(String, T)> {
+    let mut all = All {
+        out: Vec::new(),
+        input,
+    };
+    // The largest exponent of each format.
+    every_law::<T>(&mut all, &EXPONENTS.map(|k| k.min(T::LARGEST.wide())));
+    all.out
 }
 
-fn planar<T: Format>(out: &mut Vec<(String, T)>, name: &str, law: &impl Law<T>, input: Input) {
+struct All<T> {
+    out: Vec<(String, T)>,
+    input: Input,
+}
+
+impl<T: Number> LawVisitor<T> for All<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        planar(&mut self.out, &id.to_string(), &law, self.input);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        spatial(&mut self.out, &id.to_string(), &law, self.input);
+    }
+}
+
+fn planar<T: Number>(out: &mut Vec<(String, T)>, name: &str, law: &impl Law<T>, input: Input) {
     let x = T::of(input.x);
     let at = CosSin {
         cos: T::of(input.at.0),
@@ -109,7 +77,7 @@ fn planar<T: Format>(out: &mut Vec<(String, T)>, name: &str, law: &impl Law<T>, 
     }
 }
 
-fn spatial<T: Format>(out: &mut Vec<(String, T)>, name: &str, law: &impl Spatial<T>, input: Input) {
+fn spatial<T: Number>(out: &mut Vec<(String, T)>, name: &str, law: &impl Spatial<T>, input: Input) {
     planar(out, name, law, input);
     let x = T::of(input.x);
     out.push((format!("{name} pdf_solid_angle"), law.pdf_solid_angle(x)));
@@ -127,19 +95,19 @@ fn spatial<T: Format>(out: &mut Vec<(String, T)>, name: &str, law: &impl Spatial
 
 fn alike<T: Format>()
 where
-    Precise<T>: Format,
+    Precise<T>: Number,
 {
     let pairs = DIRECTIONS.iter().map(|&at| Input { x: 0.5, at });
     let numbers = NUMBERS.iter().map(|&x| Input { x, at: (0.6, 0.8) });
     for input in numbers.chain(pairs) {
         let plain = all::<T>(input);
         for ((name, a), (_, b)) in plain.into_iter().zip(all::<Precise<T>>(input)) {
-            let near = match (a.place(), b.place()) {
+            let near = match (place(a), place(b)) {
                 (Some(a), Some(b)) => (a - b).abs() <= 16,
                 (a, b) => a == b,
             };
             assert!(
-                near && a.is_negative_zero() == b.is_negative_zero(),
+                near && is_negative_zero(a) == is_negative_zero(b),
                 "{name} at {input:?}: {a:?} and {b:?}"
             );
         }

@@ -2,10 +2,9 @@
 //! steps between them underflow.
 #![allow(clippy::incompatible_msrv)] // the MSRV is the core's; tests run on newer toolchains
 
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Precise, Spatial,
-    SphereShell,
-};
+use coslobe::{CosSin, Lambert, Law, Precise, Spatial};
+use kit::catalogue::one_law;
+use kit::{Id, LawVisitor, PlanarLaw, SpatialLaw};
 use std::collections::BTreeMap;
 
 type P = Precise<f64>;
@@ -34,7 +33,7 @@ fn lines(table: &str) -> impl Iterator<Item = Vec<&str>> {
 }
 
 fn tiny() -> Vec<Row<'static>> {
-    lines(include_str!("reference/tiny.csv"))
+    lines(include_str!("../reference/tiny.csv"))
         .map(|cells| Row {
             law: cells[0],
             operation: cells[1],
@@ -51,8 +50,8 @@ fn tiny() -> Vec<Row<'static>> {
 /// The tables that judge the plain formats, as far as their trailing words hold.
 fn ordinary() -> Vec<Row<'static>> {
     let tables = [
-        include_str!("reference/angles.csv"),
-        include_str!("reference/tails.csv"),
+        include_str!("../reference/angles.csv"),
+        include_str!("../reference/tails.csv"),
     ];
     let rows = tables.into_iter().flat_map(lines).map(|cells| {
         let (value, lo) = (number(cells[3]), number(cells[4]));
@@ -79,36 +78,27 @@ struct Subject {
     solid: Option<Box<dyn Fn(P) -> P>>,
 }
 
-fn planar(law: impl Law<P> + 'static) -> Subject {
-    Subject {
-        law: Box::new(law),
-        solid: None,
-    }
-}
+struct Found(Option<Subject>);
 
-fn spatial(law: impl Spatial<P> + Copy + 'static) -> Subject {
-    Subject {
-        law: Box::new(law),
-        solid: Some(Box::new(move |x| law.pdf_solid_angle(x))),
+impl LawVisitor<P> for Found {
+    fn planar<L: PlanarLaw<P>>(&mut self, _: Id, law: L) {
+        self.0 = Some(Subject {
+            law: Box::new(law),
+            solid: None,
+        });
+    }
+    fn spatial<L: SpatialLaw<P>>(&mut self, _: Id, law: L) {
+        self.0 = Some(Subject {
+            law: Box::new(law),
+            solid: Some(Box::new(move |x| law.pdf_solid_angle(x))),
+        });
     }
 }
 
 fn subject(name: &str) -> Subject {
-    match name {
-        "Disk" => planar(Disk),
-        "CircleShell" => planar(CircleShell),
-        "CircleArc" => planar(CircleArc),
-        "Ball" => spatial(Ball),
-        "SphereShell" => spatial(SphereShell),
-        "Lambert" => spatial(Lambert),
-        lobe => {
-            let k = lobe
-                .strip_prefix("CosPower(")
-                .and_then(|k| k.strip_suffix(')'));
-            let k = k.and_then(|k| k.parse().ok()).expect("an exponent");
-            spatial(CosPower::new(Precise(k)).expect("a valid exponent"))
-        }
-    }
+    let mut found = Found(None);
+    one_law(Id::parse(name).expect("a law"), &mut found);
+    found.0.expect("a valid exponent")
 }
 
 fn call(row: &Row) -> f64 {

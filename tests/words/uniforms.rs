@@ -215,7 +215,7 @@ fn azimuths_of_the_tiers() {
 }
 
 #[test]
-#[ignore = "opt-in, minutes: cargo test --release --test uniforms -- --ignored --nocapture"]
+#[ignore = "opt-in, minutes: cargo test --release --test words -- --ignored --nocapture"]
 fn f32_azimuths_exhaustive() {
     azimuths_within_bound(0..=u32::MAX, f32_azimuth_error);
 }

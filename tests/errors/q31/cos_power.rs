@@ -1,6 +1,6 @@
 //! Real exponents against `f64`.
 
-use crate::{Worst, off, pair_off, tails, turn_off, worst};
+use super::{Worst, off, pair_off, tails, turn_off, worst};
 use coslobe::{CosSin, Fixed};
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use kit::integer::reference::{Q31, Q32, power_pair};

@@ -1,6 +1,5 @@
 //! χ², Kolmogorov–Smirnov, moments and tails of the fixed-point samplers; wrong ones, which must fail them; and
 //! generators that are stuck.
-#![cfg(feature = "fixed")]
 
 use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::rand_core::Rng;

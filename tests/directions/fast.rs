@@ -1,11 +1,9 @@
 //! `Fast` keeps its promises: for every random word there is, and for arguments of every kind.
 
 use coslobe::uniform::{azimuth_from_bits, tails_from_bits};
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Real, Spatial,
-    SphereShell,
-};
-use kit::Number;
+use coslobe::{CosPower, CosSin, Fast, Law};
+use kit::catalogue::every_law;
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 
 fn wide<T: Number>(at: CosSin<T>) -> (f64, f64) {
     (at.cos.into(), at.sin.into())
@@ -30,7 +28,7 @@ fn words_in_strides(stride: usize) -> impl Iterator<Item = u32> {
 /// ‖d‖² = cos² + sin² (cos²φ + sin²φ): a direction's own error and, in space, the azimuth's.
 const SQUARE: f64 = 1.0 / 2048.0;
 
-fn every_tail(name: &str, law: &impl Law<Fast<f32>>, stride: usize) -> f64 {
+fn every_tail(name: Id, law: &impl Law<Fast<f32>>, stride: usize) -> f64 {
     let mut worst = (0.0f64, 0);
     for bits in words_in_strides(stride) {
         let Some(excess) = excess(law, bits) else {
@@ -57,18 +55,33 @@ fn every_turn(stride: usize) -> f64 {
     worst
 }
 
+/// The worst of all laws.
+struct Tails {
+    stride: usize,
+    planar: f64,
+    spatial: f64,
+}
+
+impl LawVisitor<Fast<f32>> for Tails {
+    fn planar<L: PlanarLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        let worst = every_tail(id, &law, self.stride);
+        self.planar = self.planar.max(worst);
+    }
+    fn spatial<L: SpatialLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        let worst = every_tail(id, &law, self.stride);
+        self.spatial = self.spatial.max(worst);
+    }
+}
+
 fn fast_keeps_its_promises(stride: usize) {
-    let power = |k| CosPower::new(Fast(k)).expect("a valid exponent");
-    let planar = every_tail("Disk", &Disk, stride)
-        .max(every_tail("CircleShell", &CircleShell, stride))
-        .max(every_tail("CircleArc", &CircleArc, stride));
-    assert!(planar <= SQUARE, "{planar:e}");
-    let spatial = every_tail("Ball", &Ball, stride)
-        .max(every_tail("SphereShell", &SphereShell, stride))
-        .max(every_tail("Lambert", &Lambert, stride))
-        .max(every_tail("CosPower(0.5)", &power(0.5), stride))
-        .max(every_tail("CosPower(100)", &power(100.0), stride));
-    let direction = spatial + every_turn(stride);
+    let mut worst = Tails {
+        stride,
+        planar: 0.0,
+        spatial: 0.0,
+    };
+    every_law(&mut worst, &[0.5, 100.0]);
+    assert!(worst.planar <= SQUARE, "{:e}", worst.planar);
+    let direction = worst.spatial + every_turn(stride);
     assert!(direction <= SQUARE, "{direction:e}");
 }
 
@@ -78,7 +91,7 @@ fn fast_in_strides() {
 }
 
 #[test]
-#[ignore = "opt-in, minutes: cargo test --release --test fast -- --ignored --nocapture"]
+#[ignore = "opt-in, minutes: cargo test --release --test directions -- --ignored --nocapture"]
 fn fast_for_every_word() {
     fast_keeps_its_promises(1);
 }
@@ -121,7 +134,7 @@ const IMPROBABLE: [f32; 8] = [
     f32::NEG_INFINITY,
 ];
 
-fn total(name: &str, law: &impl Law<Fast<f32>>, start: f32) {
+fn total(name: Id, law: &impl Law<Fast<f32>>, start: f32) {
     let nan = Fast(f32::NAN);
     let at = |cos, sin| CosSin { cos, sin };
     let mut out = vec![law.pdf(nan), law.ln_pdf(nan), law.cdf(nan), law.sf(nan)];
@@ -166,37 +179,55 @@ fn total(name: &str, law: &impl Law<Fast<f32>>, start: f32) {
     }
 }
 
-#[test]
-fn fast_is_total() {
-    total("Disk", &Disk, -1.570_796_2);
-    total("CircleShell", &CircleShell, -1.570_796_2);
-    total("CircleArc", &CircleArc, -1.570_796_2);
-    total("Ball", &Ball, 0.0);
-    total("SphereShell", &SphereShell, 0.0);
-    total("Lambert", &Lambert, 0.0);
-    for k in [0.0, 1e-30, 0.5, 1.0, 7.3, 1e4, 1e30, f32::MAX] {
-        let law = CosPower::new(Fast(k)).expect("a valid exponent");
-        total(&format!("CosPower({k:e})"), &law, 0.0);
+struct Total;
+
+impl LawVisitor<Fast<f32>> for Total {
+    fn planar<L: PlanarLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        total(id, &law, -1.570_796_2);
+    }
+    fn spatial<L: SpatialLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        total(id, &law, 0.0);
         for theta in BEYOND.map(Fast) {
             assert_eq!(law.pdf_solid_angle(theta).0, 0.0);
         }
     }
+}
+
+#[test]
+fn fast_is_total() {
+    every_law(
+        &mut Total,
+        &[0.0, 1e-30, 0.5, 1.0, 7.3, 1e4, 1e30, f32::MAX.into()],
+    );
     assert!(CosPower::new(Fast(f32::NAN)).is_err() && CosPower::new(Fast(-1.0f32)).is_err());
 }
 
 /// What every law means by a pair below the horizon.
 #[test]
 fn fast_has_no_density_below_the_horizon() {
-    fn none<T: Real>(law: &impl Law<T>, at: CosSin<T>) -> bool {
-        law.density(at) == T::default() && law.lambert_weight(at) == T::default()
-    }
     for (cos, sin) in [(-0.6, 0.8), (-1e-30, 1.0), (-1.0, 0.0)] {
         let at = CosSin {
             cos: Fast(cos),
             sin: Fast(sin),
         };
-        assert!(none(&Disk, at) && none(&CircleShell, at) && none(&CircleArc, at));
-        assert!(none(&Ball, at) && none(&SphereShell, at) && none(&Lambert, at));
-        assert!(none(&CosPower::new(Fast(7.3)).expect("valid"), at));
+        every_law(&mut Below(at), &[7.3]);
+    }
+}
+
+struct Below(CosSin<Fast<f32>>);
+
+impl Below {
+    fn none(&self, id: Id, law: &impl Law<Fast<f32>>) {
+        let found = [law.density(self.0), law.lambert_weight(self.0)];
+        assert_eq!(found, [Fast(0.0); 2], "{id} at {:?}", self.0);
+    }
+}
+
+impl LawVisitor<Fast<f32>> for Below {
+    fn planar<L: PlanarLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        self.none(id, &law);
+    }
+    fn spatial<L: SpatialLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        self.none(id, &law);
     }
 }

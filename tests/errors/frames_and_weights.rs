@@ -1,9 +1,10 @@
 //! The error bounds that `Frame` and the heuristics state, on random arguments.
 
-use coslobe::{Fast, Frame, Precise, balance_heuristic, power_heuristic};
-use kit::Number;
+use coslobe::{Frame, balance_heuristic, power_heuristic};
 use kit::accuracy::format::{Format, error_in_ulps};
 use kit::accuracy::wide::Wide;
+use kit::catalogue::every_number;
+use kit::{Number, NumberVisitor};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -47,15 +48,6 @@ fn orthonormal<T: Number>() {
     assert!(worst <= 4.0, "{worst} ulp of 1");
 }
 
-#[test]
-fn frames_are_orthonormal() {
-    orthonormal::<f32>();
-    orthonormal::<f64>();
-    orthonormal::<Precise<f32>>();
-    orthonormal::<Precise<f64>>();
-    orthonormal::<Fast<f32>>();
-}
-
 fn heuristics<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(29);
     let (mut balance, mut power) = (0.0f64, 0.0f64);
@@ -73,11 +65,28 @@ fn heuristics<T: Number>() {
     assert!(balance < 3.0 && power < 4.0, "{balance} {power}");
 }
 
+struct Orthonormal;
+
+impl NumberVisitor for Orthonormal {
+    fn number<T: Number>(&mut self) {
+        orthonormal::<T>();
+    }
+}
+
+#[test]
+fn frames_are_orthonormal() {
+    every_number(&mut Orthonormal);
+}
+
+struct Heuristics;
+
+impl NumberVisitor for Heuristics {
+    fn number<T: Number>(&mut self) {
+        heuristics::<T>();
+    }
+}
+
 #[test]
 fn heuristics_keep_their_bounds() {
-    heuristics::<f32>();
-    heuristics::<f64>();
-    heuristics::<Precise<f32>>();
-    heuristics::<Precise<f64>>();
-    heuristics::<Fast<f32>>();
+    every_number(&mut Heuristics);
 }
