@@ -14,6 +14,10 @@ fn excess(law: &impl Law<Fast<f32>>, bits: u32) -> Option<f64> {
     let at = law.warp_tails(tails_from_bits(bits));
     let density = law.density(at).0;
     let (cos, sin) = wide(at);
+    assert!(
+        cos <= 1.0 && sin.abs() <= 1.0,
+        "{bits:#010x}: {cos}, {sin}: components once reached 1.000108"
+    );
     let inside = cos > 0.0 && density > 0.0 && density.is_finite();
     inside.then_some(cos * cos + sin * sin - 1.0)
 }
@@ -49,6 +53,10 @@ fn every_tail(name: Id, law: &impl Law<Fast<f32>>, stride: usize) -> f64 {
 fn every_turn(stride: usize) -> f64 {
     let worst = words_in_strides(stride).fold(0.0, |worst: f64, bits| {
         let (cos, sin) = wide(azimuth_from_bits::<Fast<f32>>(bits));
+        assert!(
+            cos.abs() <= 1.0 && sin.abs() <= 1.0,
+            "{bits:#010x}: {cos}, {sin}"
+        );
         worst.max((cos * cos + sin * sin - 1.0).abs())
     });
     println!("azimuth: |cos² + sin² − 1| ≤ 2^{:.2}", worst.log2());
@@ -230,4 +238,16 @@ impl LawVisitor<Fast<f32>> for Below {
     fn spatial<L: SpatialLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
         self.none(id, &law);
     }
+}
+
+/// The largest scales meet the smallest powers: once 0 for 5.9e-39.
+#[test]
+fn fast_density_of_a_large_exponent_is_not_lost() {
+    let law = CosPower::new(Fast(f32::from_bits(0x7f63_f798))).expect("a valid exponent");
+    let at = CosSin {
+        cos: Fast(1.0),
+        sin: Fast(f32::from_bits(0x219e_822b)),
+    };
+    let density = f64::from(law.density(at).0);
+    assert!((density / 5.9e-39 - 1.0).abs() < 0.01, "{density:e}");
 }
