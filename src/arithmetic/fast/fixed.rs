@@ -51,9 +51,6 @@ pub(crate) const fn at_most_one(x: f32) -> f32 {
 /// Σ cᵢ xⁱ in floats.
 #[inline(always)]
 pub(crate) fn horner<const N: usize>(x: f32, c: &[f32; N]) -> f32 {
-    let mut sum = 0.0;
-    for (i, &k) in c.iter().rev().enumerate() {
-        sum = if i == 0 { k } else { sum * x + k };
-    }
-    sum
+    let sum = c.iter().rev().copied().reduce(|sum, k| sum * x + k);
+    sum.unwrap_or(0.0)
 }

@@ -98,7 +98,7 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     }
     let n = (bits >> 23) + 254;
     let third = (n * 171) >> 9; // n / 3 for n ≤ 509
-    let rest = n - 3 * third;
+    let rest = n.wrapping_sub(3 * third) & 3;
     let part = 32768 + rest * (7410 + 1107 * rest); // 2^(0, 1/3, 2/3) in Q15
     assemble(bits, &CBRT, part, third)
 }
