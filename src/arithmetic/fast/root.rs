@@ -1,8 +1,8 @@
 //! Square, cube and fourth roots: the exponent divided, the significand by an integer polynomial
 //! of degree 4.
 //!
-//! A square root of the format is one instruction where there is one, but about 415 on a Cortex-M0 and
-//! 51 (`libm`'s) on a Cortex-M4F: there integers give the same bits in fewer.
+//! A square root of the format is one instruction where there is one, but about 415 on a Cortex-M0
+//! and 51 (`libm`'s) on a Cortex-M4F: there integers give the same bits in fewer.
 
 use super::coefficients::{CBRT, SQRT};
 use super::fixed::FixedPoint;
@@ -75,11 +75,11 @@ fn by_integers(x: f32) -> f32 {
     let odd = n & 1;
     let part = 32768 + 13573 * odd; // 2^(0, 1/2) in Q15
     let shape = SQRT.at(((bits >> 7) & 0xFFFF) as i32).wrapping_add(0x8000) >> 16;
-    // The polynomial and its roundings are off by less than 0.4 units of 2⁻¹²: half a unit and as much
-    // more make it the nearest or the next.
+    // The polynomial and its roundings are off by less than 0.4 units of 2⁻¹²: half a unit and as
+    // much more make it the nearest or the next.
     let root = shape.wrapping_mul(part).wrapping_add(235_000) >> 18;
-    // It is the nearest if the format's root reaches its middle, Q of 2⁻¹³, at most half a last place
-    // below: from Q² − Q·2⁻¹⁰ on.
+    // It is the nearest if the format's root reaches its middle, Q of 2⁻¹³, at most half a last
+    // place below: from Q² − Q·2⁻¹⁰ on.
     let middle = root.wrapping_mul(2).wrapping_sub(1);
     let reach = middle
         .wrapping_mul(middle)

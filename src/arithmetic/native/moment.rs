@@ -1,7 +1,7 @@
 //! ∫₀^{π/2} cosⁿθ dθ and ∫₀^{π/2} θ cosⁿθ dθ for real n ≥ 1.
 //!
-//! Method: asymptotic series at n + 2m ≥ 32, then down by the recurrences, all in pairs: the variance of θ
-//! is a difference in which three bits of them cancel.
+//! Method: asymptotic series at n + 2m ≥ 32, then down by the recurrences, all in pairs: the
+//! variance of θ is a difference in which three bits of them cancel.
 
 use super::format::Native;
 use super::pair::Pair;
