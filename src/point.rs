@@ -186,7 +186,8 @@ fn on_ray<T: Real, L: Point>(rho: Radius<T>, at: CosSin<T>, r: T, value: T, outs
 
 /// Points in the plane.
 pub trait PlanarPoint<T: Real>: Planar<T> + Tangent<T> {
-    /// Draws the point \[x, y\] itself. Randomness: [`Planar::sample`], then
+    /// Draws the point \[x, y\] itself: the distance times the direction, each component rounded
+    /// once more (of `Precise` within 1.6 ulp). Randomness: [`Planar::sample`], then
     /// [`uniform::unit`] for [`Disk`](crate::Disk) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 2] {
@@ -200,14 +201,15 @@ impl<T: Real, L: Planar<T> + Tangent<T>> PlanarPoint<T> for L {}
 
 /// Points in space.
 pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
-    /// Draws the point \[x, y, z\] itself. Randomness: [`Spatial::sample`], then
+    /// Draws the point \[x, y, z\] itself: the distance times the direction, each component rounded
+    /// once more (of `Precise` within 1.6 ulp). Randomness: [`Spatial::sample`], then
     /// [`uniform::unit`] for [`Ball`](crate::Ball) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 3] {
-        let at = self.angle_from_bits(T::draw_tail_bits(rng));
-        let azimuth = uniform::azimuth(rng);
+        let (theta, phi) = (T::draw_tail_bits(rng), T::draw_turn_bits(rng));
+        let at = self.angle_from_bits(theta);
         let r = self.sample_distance(rho, at, rng);
-        crate::law::spherical(at, azimuth).map(|c| r * c)
+        self.sample_from_bits(theta, phi).map(|c| r * c)
     }
 }
 

@@ -25,11 +25,15 @@ pub trait Holds<T: Scalar>: Kernel {
         }
     }
 
+    #[inline(always)]
+    fn from_direction(at: CosSin<T>) -> CosSin<Self> {
+        Self::by_the_smaller(Self::from_components(at))
+    }
+
     /// The direction that has the smaller component: the larger one is computed from it again,
     /// since its rounding to `T` has moved the direction more.
     #[inline(always)]
-    fn from_direction(at: CosSin<T>) -> CosSin<Self> {
-        let CosSin { cos, sin } = Self::from_components(at);
+    fn by_the_smaller(CosSin { cos, sin }: CosSin<Self>) -> CosSin<Self> {
         let other = |x: Self, rounded: Self| {
             if rounded.is_nan() {
                 rounded

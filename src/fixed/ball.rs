@@ -30,7 +30,7 @@ impl<F: Format> Formulas<F> for Ball {
         let (cos, square) = F::fourth(p.upper);
         // sin² = u / (1 + cos²), which does not cancel beside the axis.
         let (lower, shift) = normal(p.lower);
-        let recip = F::half_recip((1 << 31) + (square >> 1));
+        let recip = F::half_recip((square >> 1).wrapping_add(1 << 31));
         let sin = F::scaled(F::mul(lower, recip), shift);
         spatial::pair::<F>(cos, halve(sin))
     }

@@ -14,7 +14,7 @@ const RECIP_PI: u32 = 1367130551;
 /// The tails at |θ|: linear in it.
 #[inline(always)]
 fn tails(magnitude: u32, sign: i32) -> Tails {
-    planar::tails((1 << 31) - (magnitude << 1), sign)
+    planar::tails((1u32 << 31).wrapping_sub(magnitude << 1), sign)
 }
 
 impl<F: Format> Formulas<F> for CircleArc {
@@ -33,8 +33,8 @@ impl<F: Format> Formulas<F> for CircleArc {
     #[inline]
     fn quantile_tails(self, p: Tails) -> i32 {
         let (p, sign) = planar::nearer(p);
-        let turn = (1 << 30) - (p.min(1 << 31) >> 1) as i32;
-        if sign == 0 { turn } else { -turn }
+        let turn = (1i32 << 30).wrapping_sub((p.min(1 << 31) >> 1) as i32);
+        if sign == 0 { turn } else { turn.wrapping_neg() }
     }
 
     #[inline]

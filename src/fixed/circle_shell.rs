@@ -31,14 +31,22 @@ impl<F: Format> Formulas<F> for CircleShell {
     fn warp_tails(self, p: Tails) -> CosSin<i32> {
         let (p, sign) = planar::nearer(p);
         let v = if p >> 31 == 0 { p << 1 } else { u32::MAX };
-        planar::pair::<F>(F::complement(v), (1 << 31) - p.min(1 << 31), sign)
+        planar::pair::<F>(
+            F::complement(v),
+            (1u32 << 31).wrapping_sub(p.min(1 << 31)),
+            sign,
+        )
     }
 
     #[inline]
     fn quantile_tails(self, p: Tails) -> i32 {
         let at = Formulas::<F>::warp_tails(self, p);
         let turn = planar::turn::<F>(at) as i32;
-        if at.sin < 0 { -turn } else { turn }
+        if at.sin < 0 {
+            turn.wrapping_neg()
+        } else {
+            turn
+        }
     }
 
     #[inline]

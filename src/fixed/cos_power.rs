@@ -46,27 +46,27 @@ impl CosPower {
         let (successor, e) = match exponent.checked_add(1 << 16) {
             Some(sum) => {
                 let (m, shift) = normal(sum);
-                (m, 16 - shift as i32)
+                (m, 16i32.wrapping_sub(shift as i32))
             }
             None => ((1 << 31) | (exponent.wrapping_add(1 << 16) >> 1), 17),
         };
         // One more step of Newton's: y + y e, e = 1 − 2 d y.
         let y = half_recip(successor);
-        let e2 = (u64::from(successor) * u64::from(y)).wrapping_neg() << 1;
+        let e2 = (u64::from(successor).wrapping_mul(u64::from(y))).wrapping_neg() << 1;
         let error = (e2 as i64 >> 32) as i32;
-        let change = ((i64::from(y) * i64::from(error)) >> 32) as i32;
+        let change = ((i64::from(y).wrapping_mul(i64::from(error))) >> 32) as i32;
         let (k, shift) = normal(exponent);
         let successor = Number { m: successor, e };
         CosPower {
             exponent,
             power: Number {
                 m: k,
-                e: 16 - shift as i32,
+                e: 16i32.wrapping_sub(shift as i32),
             },
             successor,
             recip: Number {
                 m: y.saturating_add_signed(change),
-                e: 1 - e,
+                e: 1i32.wrapping_sub(e),
             },
             scale: RECIP_TAU.times(successor),
         }
@@ -85,7 +85,10 @@ impl CosPower {
         let cos = (value >> whole.min(31)).min(ONE);
         let sin = if y.e < -1 {
             // sin² = 1 − 2^(−2y), which keeps its digits beside the axis.
-            let (m, e) = one_less_exp2(Number { m: y.m, e: y.e + 1 });
+            let (m, e) = one_less_exp2(Number {
+                m: y.m,
+                e: y.e.wrapping_add(1),
+            });
             halve(scaled(m, e))
         } else {
             complement(!(u64::from(cos) << 33))
@@ -116,7 +119,7 @@ impl CosPower {
         let (m, e) = if beside_axis {
             let (m, shift) = normal(sin);
             let (m, more) = normal(mul_high(m, m));
-            (m, 2 * shift + more)
+            (m, shift.wrapping_mul(2).wrapping_add(more))
         } else {
             normal(if cos >> 31 == 0 { cos } else { !cos })
         };
@@ -127,7 +130,7 @@ impl CosPower {
         });
         Number {
             m: log.m,
-            e: log.e - i32::from(beside_axis),
+            e: log.e.wrapping_sub(i32::from(beside_axis)),
         }
     }
 
@@ -190,7 +193,7 @@ impl Formulas<Q31> for CosPower {
         Tails::from_upper(if whole == 0 {
             (value.min(i32::MAX as u32)) << 1
         } else {
-            value >> (whole - 1).min(31)
+            value >> (whole.wrapping_sub(1)).min(31)
         })
     }
 

@@ -22,7 +22,7 @@ fn lobe<F: Format>(cos: u32) -> u32 {
 /// The nearer tail ½ − |θ|/π − sin |θ| cos θ / π, for `bulge` = 2 sin |θ| cos θ in Q31.
 #[inline(always)]
 fn tails<F: Format>(magnitude: u32, bulge: u32, sign: i32) -> Tails {
-    let flat = (1 << 31) - (magnitude << 1);
+    let flat = (1u32 << 31).wrapping_sub(magnitude << 1);
     planar::tails(u32::saturating_sub(flat, F::times(bulge, RECIP_PI)), sign)
 }
 
@@ -40,8 +40,8 @@ impl<F: Format> Formulas<F> for Disk {
     #[inline]
     fn quantile_tails(self, p: Tails) -> i32 {
         let (p, sign) = planar::nearer(p);
-        let turn = ((1 << 30) - (F::from_end(F::cbrt(p)) >> 2)) as i32;
-        if sign == 0 { turn } else { -turn }
+        let turn = ((1u32 << 30).wrapping_sub(F::from_end(F::cbrt(p)) >> 2)) as i32;
+        if sign == 0 { turn } else { turn.wrapping_neg() }
     }
 
     #[inline]

@@ -29,11 +29,13 @@ impl<F: Format> Formulas<F> for SphereShell {
         }
         let cos = F::cbrt(p.upper);
         // sin² = u (1 + cos) / (1 + cos + cos²), which does not cancel beside the axis.
-        let quarter = (1 << 30) + (cos >> 2) + (F::mul(cos, cos) >> 2);
+        let quarter = (cos >> 2)
+            .wrapping_add(1 << 30)
+            .wrapping_add(F::mul(cos, cos) >> 2);
         let less = (quarter >> 31) ^ 1;
         let recip = F::half_recip(quarter << less);
         let (lower, shift) = normal(p.lower);
-        let square = F::mul(F::mul(lower, (1 << 31) + (cos >> 1)), recip);
+        let square = F::mul(F::mul(lower, (cos >> 1).wrapping_add(1 << 31)), recip);
         let sin = F::scaled(square, shift.wrapping_sub(less));
         spatial::pair::<F>(halve(cos), halve(sin))
     }

@@ -171,9 +171,9 @@ impl<T: Real> Planar<T> for Disk {
         let u = T::tails_from_half(u);
         T::rounded(
             Margin::Relative,
-            || shadow(Holds::from_tails(u), T::quick_turn(phi)),
+            || shadow(Holds::from_tails(u), T::quick_turn_from_bits(phi)),
             #[inline(always)]
-            || shadow(Holds::from_tails(u), T::accurate_turn(phi)),
+            || shadow(Holds::from_tails(u), T::accurate_turn_from_bits(phi)),
         )
     }
 }

@@ -8,6 +8,7 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
+use crate::law::direction::{Azimuth, polar, spherical};
 use crate::law::support::into_support;
 use crate::number::Real;
 use crate::number::tier::Margin;
@@ -156,6 +157,38 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
                     .to_array()
             },
         ))
+    }
+
+    #[inline(always)]
+    fn warp_spherical(&self, p: Tails<T>, azimuth: Azimuth<T>) -> [T; 3] {
+        T::rounded(
+            Margin::Relative,
+            || {
+                let at = self.quick().warp_tails(Holds::from_tails(p));
+                spherical(at, azimuth.quick())
+            },
+            #[inline(always)]
+            || {
+                let at = self.accurate().warp_tails(Holds::from_tails(p));
+                spherical(at, azimuth.accurate())
+            },
+        )
+    }
+
+    /// A power of the sine has many times its error, so that no margin holds for a quick one.
+    #[inline]
+    fn unwarp_spherical(&self, d: [T; 3]) -> [T; 2] {
+        T::rounded(
+            Margin::Unbounded,
+            || {
+                let (at, turn) = polar(d);
+                [self.quick().unwarp_tails(at).lower(), turn]
+            },
+            || {
+                let (at, turn) = polar(d);
+                [self.accurate().unwarp_tails(at).lower(), turn]
+            },
+        )
     }
 
     #[inline(always)]

@@ -1,13 +1,11 @@
 //! What laws of a direction in space can do beyond [`Law`].
 
 use super::Law;
-use crate::arithmetic::holds::Holds;
-use crate::arithmetic::kernel::{Kernel, Wide};
+use super::direction::Azimuth;
 use crate::batch::{self, Batch, LengthError};
 use crate::number::Real;
-use crate::number::tier::Margin;
 use crate::uniform::{TailBits, TurnBits};
-use crate::{CosSin, Frame, Sample, Tails, uniform};
+use crate::{Frame, Sample, Tails, uniform};
 use rand_core::{Rng, TryRng};
 
 /// Laws of a direction in space, uniform in azimuth.
@@ -44,7 +42,7 @@ pub trait Spatial<T: Real>: Law<T> {
     /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
     #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        spherical(self.angle_from_bits(theta), uniform::azimuth_from_bits(phi))
+        self.warp_spherical(uniform::tails_from_bits(theta), Azimuth::Word(phi))
     }
 
     /// (cos θ, sin θ) of that direction.
@@ -110,9 +108,10 @@ pub trait Spatial<T: Real>: Law<T> {
     /// same words, the same bits.
     #[inline]
     fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
-        let at = self.angle_from_bits(T::draw_tail_bits(rng));
+        let theta = T::draw_tail_bits(rng);
+        let at = self.angle_from_bits(theta);
         Sample {
-            direction: spherical(at, uniform::azimuth(rng)),
+            direction: self.sample_from_bits(theta, T::draw_turn_bits(rng)),
             at,
             density: self.density(at),
         }
@@ -121,8 +120,8 @@ pub trait Spatial<T: Real>: Law<T> {
     /// Draws a direction around the unit vector `normal`.
     ///
     /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
-    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may
-    /// lose its sign, so that a direction beside the horizon can come out on the surface or below
+    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that loses digits and
+    /// may lose its sign, so that a direction beside the horizon can come out on the surface or below
     /// it: weigh it by the cosine and density of
     /// [`sample_around_with_density`](Spatial::sample_around_with_density). Randomness as
     /// [`sample`](Spatial::sample).
@@ -151,24 +150,11 @@ pub trait Spatial<T: Real>: Law<T> {
     }
 
     /// The direction at cdf of θ = `u[0]` and azimuth φ = `u[1]` turns: for stratified or
-    /// low-discrepancy points. NaN outside \[0, 1\]².
+    /// low-discrepancy points. NaN outside \[0, 1\]². Of `Precise` each component is rounded once.
     #[inline(always)]
     fn warp_direction(&self, u: [T; 2]) -> [T; 3] {
         let turn = Tails::from_lower(u[1]).lower();
-        let azimuth = if turn.is_nan() {
-            CosSin {
-                cos: turn,
-                sin: turn,
-            }
-        } else {
-            CosSin::from_array(T::rounded(
-                Margin::Relative,
-                || T::Quick::at_turn(Holds::from_number(turn)).to_array(),
-                #[inline(always)]
-                || T::Accurate::at_turn(Holds::from_number(turn)).to_array(),
-            ))
-        };
-        spherical(self.warp_tails(Tails::from_lower(u[0])), azimuth)
+        self.warp_spherical(Tails::from_lower(u[0]), Azimuth::Turn(turn))
     }
 
     /// [`warp_direction`](Spatial::warp_direction) of each pair of `u`: a slice for each component.
@@ -191,35 +177,9 @@ pub trait Spatial<T: Real>: Law<T> {
     /// [`warp_direction`](Spatial::warp_direction).
     #[inline]
     fn unwarp_direction(&self, d: [T; 3]) -> [T; 2] {
-        let at = CosSin {
-            cos: d[1],
-            sin: CosSin::hypot(d[0], d[2]),
-        };
-        let [turn] = T::rounded(
-            Margin::Relative,
-            || [turns(Holds::from_number(d[2]), Holds::from_number(d[0]))],
-            || {
-                [turns::<T::Accurate>(
-                    Holds::from_number(d[2]),
-                    Holds::from_number(d[0]),
-                )]
-            },
-        );
-        let turn = if turn < T::ZERO { turn + T::ONE } else { turn };
+        let [p, turn] = self.unwarp_spherical(d);
         // A negative turn smaller than half an ulp of 1 rounds to 1, which is 0 again.
         let turn = if turn >= T::ONE { T::ZERO } else { turn };
-        [self.unwarp(at), turn.abs()]
+        [p, turn.abs()]
     }
-}
-
-/// The angle of (x, y) in turns, from −½ to ½.
-#[inline(always)]
-fn turns<W: Kernel>(y: W, x: W) -> W {
-    y.atan2(x) * W::CONSTANTS.recip_two_pi.value()
-}
-
-/// \[sin θ cos φ, cos θ, sin θ sin φ\].
-#[inline(always)]
-pub(crate) fn spherical<T: Real>(at: CosSin<T>, azimuth: CosSin<T>) -> [T; 3] {
-    [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
 }

@@ -1,6 +1,7 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
 use super::Spatial;
+use super::direction::{Azimuth, spherical};
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use super::measure::{Measure, Point};
 use crate::arithmetic::holds::Holds;
@@ -12,7 +13,7 @@ use crate::law::support::{
 };
 use crate::number::Real;
 use crate::number::tier::Margin;
-use crate::uniform::TailBits;
+use crate::uniform::{TailBits, TurnBits};
 use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
@@ -187,6 +188,27 @@ impl<T: Real> Spatial<T> for SphereShell {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
         pdf_solid_angle(self, theta)
+    }
+
+    #[inline(always)]
+    fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
+        let azimuth = Azimuth::Word(phi);
+        let Some(halves) = T::halves(theta) else {
+            return super::Law::warp_spherical(self, T::tails_from_bits(theta), azimuth);
+        };
+        let [u, v] = halves.map(T::tails_from_half);
+        T::rounded(
+            Margin::Relative,
+            || {
+                let at = larger(Holds::from_tails(u), Holds::from_tails(v));
+                spherical(at, azimuth.quick())
+            },
+            #[inline(always)]
+            || {
+                let at = larger(Holds::from_tails(u), Holds::from_tails(v));
+                spherical(at, azimuth.accurate())
+            },
+        )
     }
 
     #[inline(always)]

@@ -24,7 +24,7 @@ impl Holds<f32> for f32 {
     }
 
     #[inline(always)]
-    fn from_direction(at: CosSin<f32>) -> CosSin<f32> {
+    fn by_the_smaller(at: CosSin<f32>) -> CosSin<f32> {
         at
     }
 }
@@ -83,12 +83,12 @@ impl Tier for f32 {
     }
 
     #[inline(always)]
-    fn quick_turn(bits: u32) -> CosSin<f32> {
-        Self::accurate_turn(bits)
+    fn quick_turn_from_bits(bits: u32) -> CosSin<f32> {
+        Self::accurate_turn_from_bits(bits)
     }
 
     #[inline(always)]
-    fn accurate_turn(bits: u32) -> CosSin<f32> {
+    fn accurate_turn_from_bits(bits: u32) -> CosSin<f32> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

@@ -24,7 +24,7 @@ impl Holds<f64> for f64 {
     }
 
     #[inline(always)]
-    fn from_direction(at: CosSin<f64>) -> CosSin<f64> {
+    fn by_the_smaller(at: CosSin<f64>) -> CosSin<f64> {
         at
     }
 }
@@ -84,12 +84,12 @@ impl Tier for f64 {
     }
 
     #[inline(always)]
-    fn quick_turn(bits: u64) -> CosSin<f64> {
-        Self::accurate_turn(bits)
+    fn quick_turn_from_bits(bits: u64) -> CosSin<f64> {
+        Self::accurate_turn_from_bits(bits)
     }
 
     #[inline(always)]
-    fn accurate_turn(bits: u64) -> CosSin<f64> {
+    fn accurate_turn_from_bits(bits: u64) -> CosSin<f64> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

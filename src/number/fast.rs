@@ -22,7 +22,7 @@ impl Holds<Fast<f32>> for Fast<f32> {
     }
 
     #[inline(always)]
-    fn from_direction(at: CosSin<Self>) -> CosSin<Self> {
+    fn by_the_smaller(at: CosSin<Self>) -> CosSin<Self> {
         at
     }
 }
@@ -91,12 +91,12 @@ impl Tier for Fast<f32> {
     }
 
     #[inline(always)]
-    fn quick_turn(bits: u32) -> CosSin<Self> {
-        Self::accurate_turn(bits)
+    fn quick_turn_from_bits(bits: u32) -> CosSin<Self> {
+        Self::accurate_turn_from_bits(bits)
     }
 
     #[inline(always)]
-    fn accurate_turn(bits: u32) -> CosSin<Self> {
+    fn accurate_turn_from_bits(bits: u32) -> CosSin<Self> {
         fast(uniform::turn(bits))
     }
 }

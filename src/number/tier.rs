@@ -14,6 +14,8 @@ pub enum Margin {
     Relative,
     /// In proportion to the larger of the result and 1.
     OfOne,
+    /// Nothing, where `f64` is the quick phase.
+    Unbounded,
 }
 
 /// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of
@@ -116,16 +118,16 @@ pub trait Tier: Scalar {
     /// A probability of half the bits.
     fn tails_from_half(bits: Self::TurnBits) -> Tails<Self>;
     /// (cos φ, sin φ) of an azimuth in either arithmetic.
-    fn quick_turn(bits: Self::TurnBits) -> CosSin<Self::Quick>;
-    fn accurate_turn(bits: Self::TurnBits) -> CosSin<Self::Accurate>;
+    fn quick_turn_from_bits(bits: Self::TurnBits) -> CosSin<Self::Quick>;
+    fn accurate_turn_from_bits(bits: Self::TurnBits) -> CosSin<Self::Accurate>;
 
     #[inline(always)]
     fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self> {
         CosSin::from_array(Self::rounded(
             Margin::Relative,
-            || Self::quick_turn(bits).to_array(),
+            || Self::quick_turn_from_bits(bits).to_array(),
             #[inline(always)]
-            || Self::accurate_turn(bits).to_array(),
+            || Self::accurate_turn_from_bits(bits).to_array(),
         ))
     }
 }

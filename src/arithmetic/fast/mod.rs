@@ -21,13 +21,14 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The cheapest tier: relative errors of about 2⁻¹² in densities and directions.
 ///
-/// Sums of rounding errors are not carried, polynomials are short, and roots are integer
-/// arithmetic, so that a target without a floating-point unit gains most. Directions are unit
-/// vectors to 2⁻¹², inside the support, with positive density. Subnormal arguments are accepted;
-/// their accuracy is not promised. Quantiles may step back within their error.
+/// Sums of rounding errors are not carried, polynomials are short, and a square root has 13 bits,
+/// which integers give as an instruction does: a target without a floating-point unit gains most.
+/// Directions are unit vectors to 2⁻¹², inside the support, with positive density and no component
+/// beyond 1. Subnormal arguments are accepted; their accuracy is not promised. Quantiles may step
+/// back within their error.
 ///
-/// Not every operation is cheaper than the plain type's on a host: the tables in
-/// [`accuracy`](crate::accuracy) say which are.
+/// Where the plain type's operation is one root or product there is nothing to save on a host: the
+/// tables in [`accuracy`](crate::accuracy) say what each costs.
 ///
 /// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ and one for the
 /// azimuth; the deepest tail drawn is 2⁻³³.

@@ -36,8 +36,8 @@ impl<T: Native> TailRoot<T> {
             head,
             rest: (share.hi - head) + share.lo,
             slope: share.div(T::CONSTANTS.ln_2),
-            up: two / m * T::exp2(60 - (e & 1)),
-            down: T::exp2(-30 - (e >> 1)),
+            up: two / m * T::exp2(60i32.wrapping_sub(e & 1)),
+            down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
     }
 
@@ -45,11 +45,12 @@ impl<T: Native> TailRoot<T> {
     pub(crate) fn at(self, p: Tails<T>) -> CosSin<T> {
         let (lower, upper) = (p.lower(), p.upper());
         let (m, e) = upper.split(T::ROOT_HALF);
-        let from_lower = T::select(e == 0, -lower, T::ONE - (lower + lower));
+        let e = T::from_i32(e);
+        // −lower at e = 0, 1 − 2·lower at e = −1, without a choice for random bits to make.
+        let from_lower = -(lower * (T::ONE - e)) - e;
         // NaN takes the side that keeps it.
         let f = T::select(upper <= T::HALF, m - T::ONE, from_lower);
         let ln = ln_1p(f);
-        let e = T::from_i32(e);
         let lead = e * self.head;
         let trail = ln * self.slope.hi + (ln * self.slope.lo + e * self.rest);
         let y = Pair {

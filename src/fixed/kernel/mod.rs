@@ -8,12 +8,12 @@ pub(crate) mod poly;
 /// Q32 to the nearest of Q31.
 #[inline(always)]
 pub(crate) fn halve(x: u32) -> u32 {
-    (x >> 1) + (x & 1)
+    (x >> 1).wrapping_add(x & 1)
 }
 
 /// `magnitude` ≤ 2³¹ with the sign of `sign`'s top bit, 1 saturated.
 #[inline(always)]
 pub(crate) fn signed(magnitude: u32, sign: u32) -> i32 {
     let mask = (sign as i32) >> 31;
-    ((magnitude - (magnitude >> 31)) as i32 ^ mask) - mask
+    ((magnitude.wrapping_sub(magnitude >> 31)) as i32 ^ mask).wrapping_sub(mask)
 }

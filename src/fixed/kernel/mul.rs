@@ -23,13 +23,13 @@ mod of {
     /// ⌊a b / 2³²⌋: one instruction where there is a long multiply.
     #[inline(always)]
     pub(crate) fn mul_high(a: u32, b: u32) -> u32 {
-        ((u64::from(a) * u64::from(b)) >> 32) as u32
+        ((u64::from(a).wrapping_mul(u64::from(b))) >> 32) as u32
     }
 
     /// ⌊a b / 2³²⌋ of signed numbers.
     #[inline(always)]
     pub(crate) fn mul_high_signed(a: i32, b: i32) -> i32 {
-        ((i64::from(a) * i64::from(b)) >> 32) as i32
+        ((i64::from(a).wrapping_mul(i64::from(b))) >> 32) as i32
     }
 }
 
@@ -41,10 +41,12 @@ pub(crate) use of::{mul_high, mul_high_signed};
 #[inline(always)]
 fn by_halves(a: u32, b: u32) -> u32 {
     let (a1, a0, b0) = (a >> 16, a & 0xFFFF, i32::from(b as i16));
-    let b1 = (b >> 16) + ((b >> 15) & 1);
-    let middle = a1 as i32 * b0 + ((a0 as i32 * b0) >> 16);
-    let other = a0 * b1 + (middle as u32 & 0xFFFF);
-    (a1 * b1)
+    let b1 = (b >> 16).wrapping_add((b >> 15) & 1);
+    let middle = (a1 as i32)
+        .wrapping_mul(b0)
+        .wrapping_add(((a0 as i32).wrapping_mul(b0)) >> 16);
+    let other = a0.wrapping_mul(b1).wrapping_add(middle as u32 & 0xFFFF);
+    (a1.wrapping_mul(b1))
         .wrapping_add_signed(middle >> 16)
         .wrapping_add(other >> 16)
 }
@@ -53,10 +55,12 @@ fn by_halves(a: u32, b: u32) -> u32 {
 #[inline(always)]
 fn by_halves_signed(a: i32, b: i32) -> i32 {
     let (a1, a0, b1, b0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
-    let lowest = (((a0 as u32) * (b0 as u32)) >> 16) as i32;
-    let middle = a1 * b0 + lowest;
-    let other = a0 * b1 + (middle & 0xFFFF);
-    a1 * b1 + (middle >> 16) + (other >> 16)
+    let lowest = (((a0 as u32).wrapping_mul(b0 as u32)) >> 16) as i32;
+    let middle = a1.wrapping_mul(b0).wrapping_add(lowest);
+    let other = a0.wrapping_mul(b1).wrapping_add(middle & 0xFFFF);
+    a1.wrapping_mul(b1)
+        .wrapping_add(middle >> 16)
+        .wrapping_add(other >> 16)
 }
 
 #[cfg(test)]

@@ -21,19 +21,25 @@ pub(crate) use by_steps as normal_below;
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
-pub(crate) fn by_steps<const LIMIT: u32>(mut x: u32) -> (u32, u32) {
-    let mut shift = 0;
-    for step in [16, 8, 4, 2, 1] {
-        // One choice for both, which costs a branch each on a Cortex-M0.
-        let up = if step < LIMIT && x >> (32 - step) == 0 {
-            step
-        } else {
-            0
-        };
-        x <<= up;
-        shift += up;
-    }
-    (x, shift)
+pub(crate) fn by_steps<const LIMIT: u32>(x: u32) -> (u32, u32) {
+    let (x, shift) = step::<16, LIMIT>(x, 0);
+    let (x, shift) = step::<8, LIMIT>(x, shift);
+    let (x, shift) = step::<4, LIMIT>(x, shift);
+    let (x, shift) = step::<2, LIMIT>(x, shift);
+    step::<1, LIMIT>(x, shift)
+}
+
+/// Up by `STEP` if that many bits are free. One choice for both, which costs a branch each on a
+/// Cortex-M0.
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+fn step<const STEP: u32, const LIMIT: u32>(x: u32, shift: u32) -> (u32, u32) {
+    let up = if STEP < LIMIT && x >> (32 - STEP) == 0 {
+        STEP
+    } else {
+        0
+    };
+    (x << up, shift | up)
 }
 
 /// The top 32 bits of x·2ˢ with the top bit set, and s, for x > 0; (0, 63) for 0.
@@ -46,7 +52,10 @@ pub(crate) fn normal_long(x: u64) -> (u32, u32) {
         (high, low, 0)
     };
     let (m, shift) = normal(leading);
-    (m | ((next >> 1) >> (31 - shift)), shift + more)
+    (
+        m | ((next >> 1) >> 31u32.wrapping_sub(shift)),
+        shift.wrapping_add(more),
+    )
 }
 
 #[cfg(test)]

@@ -15,13 +15,12 @@ impl<const SMALL: usize, const LARGE: usize> Polynomial<i32, SMALL, LARGE> {
     #[inline(always)]
     pub(crate) fn at(&self, x: i32) -> i32 {
         let short = x >> 16;
-        let sum = self
-            .small
-            .iter()
-            .fold(0, |sum: i32, &c| ((sum * short) >> 16) + c);
+        let sum = self.small.iter().fold(0, |sum: i32, &c| {
+            ((sum.wrapping_mul(short)) >> 16).wrapping_add(c)
+        });
         self.large
             .iter()
-            .fold(sum, |sum, &c| mul_high_signed(sum, x) + c)
+            .fold(sum, |sum, &c| mul_high_signed(sum, x).wrapping_add(c))
     }
 }
 
@@ -30,10 +29,11 @@ impl<const SMALL: usize, const LARGE: usize> Polynomial<u32, SMALL, LARGE> {
     #[inline(always)]
     pub(crate) fn at(&self, x: u32) -> u32 {
         let short = x >> 16;
-        let sum = self
-            .small
+        let sum = self.small.iter().fold(0, |sum: u32, &c| {
+            c.wrapping_sub((sum.wrapping_mul(short)) >> 16)
+        });
+        self.large
             .iter()
-            .fold(0, |sum: u32, &c| c - ((sum * short) >> 16));
-        self.large.iter().fold(sum, |sum, &c| c - mul_high(sum, x))
+            .fold(sum, |sum, &c| c.wrapping_sub(mul_high(sum, x)))
     }
 }

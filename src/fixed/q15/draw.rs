@@ -40,7 +40,7 @@ pub(crate) fn largest<const N: usize, R: TryRng + ?Sized>(
 #[inline(always)]
 fn signed(magnitude: u32, sign: u32) -> I1F15 {
     let mask = (sign as i32) >> 31;
-    I1F15::from_bits(((magnitude as i32 ^ mask) - mask) as i16)
+    I1F15::from_bits(((magnitude as i32 ^ mask).wrapping_sub(mask)) as i16)
 }
 
 /// \[sin θ cos φ, cos θ, sin θ sin φ\] of cos θ in Q32, and an azimuth that needs no order: two
@@ -54,11 +54,16 @@ pub(crate) fn spatial(cos: u32, phase: u32) -> Drawn<[I1F15; 3]> {
     // overflows.
     let part = |q31: u32| {
         let part = q31 >> 15;
-        (sin * part + ((sin + part) >> 1) + 0xFFFF) >> 17
+        (sin.wrapping_mul(part)
+            .wrapping_add((sin.wrapping_add(part)) >> 1)
+            .wrapping_add(0xFFFF))
+            >> 17
     };
     // From 0 to 1, less one unit; and to at least one, without a comparison.
-    let along = ((cos >> 16) + 1) >> 1;
-    let along = along - (along >> 15) + (along.wrapping_sub(1) >> 31);
+    let along = ((cos >> 16).wrapping_add(1)) >> 1;
+    let along = along
+        .wrapping_sub(along >> 15)
+        .wrapping_add(along.wrapping_sub(1) >> 31);
     let direction = [
         signed(part(x ^ swap), phase << 1),
         I1F15::from_bits(along as i16),

@@ -9,7 +9,7 @@ const ONE: i32 = 1 << 15;
 #[inline(always)]
 pub(crate) fn recip(z: i32) -> i32 {
     let recip = half_recip((1 << 31) | (z.unsigned_abs().min(0x7FFF) << 16)) >> 16;
-    ((recip >> 1) + (recip & 1)) as i32
+    ((recip >> 1).wrapping_add(recip & 1)) as i32
 }
 
 #[inline(always)]

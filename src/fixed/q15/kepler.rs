@@ -7,10 +7,10 @@ use super::coefficients::{KEPLER, KEPLER_MIDDLE};
 #[inline(always)]
 pub(crate) fn from_end(z: u32) -> u32 {
     let high = z >> 16;
-    let square = high * high;
-    let x = (square + (square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
+    let square = high.wrapping_mul(high);
+    let x = (square.wrapping_add(square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
     // The sums are rounded down, by two units in the middle.
-    let more = (high * (KEPLER.at(x) as u32 + 2)) >> 2;
-    let rounded = ((z >> 1) + more + (1 << 13)) >> 14;
-    (rounded - (rounded >> 17)) << 15
+    let more = (high.wrapping_mul((KEPLER.at(x) as u32).wrapping_add(2))) >> 2;
+    let rounded = ((z >> 1).wrapping_add(more).wrapping_add(1 << 13)) >> 14;
+    (rounded.wrapping_sub(rounded >> 17)) << 15
 }

@@ -85,13 +85,13 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn clamped(q31: i32) -> i32 {
-        q31.clamp(-(ONE as i32), ONE as i32)
+        q31.clamp((ONE as i32).wrapping_neg(), ONE as i32)
     }
 
     #[inline(always)]
     fn signed(magnitude: u32, sign: u32) -> i32 {
         let mask = (sign as i32) >> 31;
-        (magnitude.min(ONE) as i32 ^ mask) - mask
+        (magnitude.min(ONE) as i32 ^ mask).wrapping_sub(mask)
     }
 
     #[inline(always)]
@@ -101,7 +101,7 @@ impl Format for Q15 {
 
     #[inline(always)]
     fn times(x: u32, constant: u32) -> u32 {
-        (((x >> 15) + 1) >> 1) * word::rounded(constant)
+        (((x >> 15).wrapping_add(1)) >> 1).wrapping_mul(word::rounded(constant))
     }
 
     #[inline(always)]

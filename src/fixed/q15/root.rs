@@ -18,7 +18,7 @@ const TWO_THIRDS: u32 = 41285;
 /// 1 − (1 − m) q, for m ≥ 2³¹ in Q32.
 #[inline(always)]
 pub(crate) fn of_mantissa<const N: usize>(m: u32, q: &Polynomial<u32, N, 0>) -> u32 {
-    !(((!m >> 15) * q.at(m << 1)) >> 1)
+    !(((!m >> 15).wrapping_mul(q.at(m << 1))) >> 1)
 }
 
 /// √(m·2⁻ᵒᵈᵈ).
@@ -29,7 +29,9 @@ fn sqrt_of(m: u32, odd: u32) -> u32 {
         root
     } else {
         // The half that is cut off, on average.
-        (root >> 16) * HALF_ROOT + (HALF_ROOT >> 1)
+        (root >> 16)
+            .wrapping_mul(HALF_ROOT)
+            .wrapping_add(HALF_ROOT >> 1)
     }
 }
 
@@ -71,11 +73,13 @@ pub(crate) fn cbrt(x: u32) -> u32 {
     }
     let (m, shift) = normal_below::<16>(x);
     let root = of_mantissa(m, &CBRT);
-    let third = (shift * 171) >> 9;
-    let root = match shift - 3 * third {
+    let third = (shift.wrapping_mul(171)) >> 9;
+    let root = match shift.wrapping_sub(third.wrapping_mul(3)) {
         0 => root,
-        1 => (root >> 16) * THIRD + (THIRD >> 1),
-        _ => (root >> 16) * TWO_THIRDS + (TWO_THIRDS >> 1),
+        1 => (root >> 16).wrapping_mul(THIRD).wrapping_add(THIRD >> 1),
+        _ => (root >> 16)
+            .wrapping_mul(TWO_THIRDS)
+            .wrapping_add(TWO_THIRDS >> 1),
     };
     root >> third
 }
@@ -91,7 +95,7 @@ pub(crate) fn half_recip(d: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn less_square(c: u32) -> u32 {
     let (high, low) = (c >> 16, c & 0xFFFF);
-    !(mul(c, c) + ((high * low) >> 15))
+    !(mul(c, c).wrapping_add((high.wrapping_mul(low)) >> 15))
 }
 
 /// √(v (2 − v)) in Q31, of v = 0 or ≥ 2^(32 − `LIMIT`) in Q32.

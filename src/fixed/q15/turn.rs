@@ -17,10 +17,10 @@ pub(crate) fn eighth_by<const A: usize, const B: usize>(
     cos: &Polynomial<u32, A, 0>,
     sin: &Polynomial<u32, B, 0>,
 ) -> (u32, u32) {
-    let square = y * y;
+    let square = y.wrapping_mul(y);
     (
-        i32::MAX as u32 - (((square >> 16) * cos.at(square)) >> 2),
-        (y * sin.at(square)) >> 1,
+        (i32::MAX as u32).wrapping_sub(((square >> 16).wrapping_mul(cos.at(square))) >> 2),
+        (y.wrapping_mul(sin.at(square))) >> 1,
     )
 }
 
@@ -30,7 +30,7 @@ pub(crate) fn quarter(x: u32) -> (u32, u32) {
     let past = ((x as i32) >> 31) as u32;
     let x = (x ^ past).wrapping_sub(past);
     // An exact eighth is 2³²: taken as one unit less.
-    let (cos, sin) = eighth((x - (x >> 31)) >> 15);
+    let (cos, sin) = eighth((x.wrapping_sub(x >> 31)) >> 15);
     let swap = (cos ^ sin) & past;
     (cos ^ swap, sin ^ swap)
 }

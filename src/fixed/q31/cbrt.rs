@@ -14,8 +14,8 @@ pub(crate) fn of_mantissa(m: u32, e: u32) -> u32 {
     let t = !m;
     let shape = CBRT.at(((t << 1) ^ (1 << 31)) as i32) as u32;
     let root = !mul_high(t, shape);
-    let third = (e * 171) >> 9;
-    let root = match e - 3 * third {
+    let third = (e.wrapping_mul(171)) >> 9;
+    let root = match e.wrapping_sub(third.wrapping_mul(3)) {
         0 => root,
         1 => mul_high(root, THIRD),
         _ => mul_high(root, TWO_THIRDS),

@@ -27,7 +27,7 @@ fn towards(x: i32, sign: i32) -> i32 {
 #[inline(always)]
 fn doubled(half: i32, last: i32) -> i32 {
     const MOST: i32 = (1 << 30) - 1;
-    let most = half.clamp(-MOST, MOST);
+    let most = half.clamp(MOST.wrapping_neg(), MOST);
     (most << 1) | ((last & 1) & i32::from(most == half))
 }
 

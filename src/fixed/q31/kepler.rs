@@ -9,8 +9,8 @@ use crate::fixed::kernel::mul::mul_high;
 #[inline(always)]
 pub(crate) fn from_end(z: u32) -> u32 {
     let square = mul_high(z, z);
-    let x = (square + (square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
+    let x = (square.wrapping_add(square >> 1)).wrapping_sub(KEPLER_MIDDLE) as i32;
     // The sums are rounded down, by three units in the middle.
-    let ratio = KEPLER.at(x) as u32 + 3;
+    let ratio = (KEPLER.at(x) as u32).wrapping_add(3);
     z.saturating_add(mul_high(z, ratio))
 }

@@ -22,7 +22,7 @@ impl Number {
         let up = (m >> 31) ^ 1;
         Number {
             m: m << up,
-            e: self.e + b.e - up as i32,
+            e: self.e.wrapping_add(b.e).wrapping_sub(up as i32),
         }
     }
 
@@ -31,8 +31,8 @@ impl Number {
     fn parts(self) -> (u32, u32) {
         match self.e {
             ..=-32 => (0, 0),
-            -31..=0 => (0, self.m >> -self.e),
-            1..=20 => (self.m >> (32 - self.e), self.m << self.e),
+            -31..=0 => (0, self.m >> self.e.wrapping_neg()),
+            1..=20 => (self.m >> 32i32.wrapping_sub(self.e), self.m << self.e),
             _ => (1 << 20, 0),
         }
     }
@@ -68,14 +68,14 @@ pub(crate) fn log2(part: Part) -> Number {
             let up = (product >> 31) ^ 1;
             Number {
                 m: product << up,
-                e: 1 - e as i32 - up as i32,
+                e: 1i32.wrapping_sub(e as i32).wrapping_sub(up as i32),
             }
         }
         Part::Small(_, e) => {
             let (whole, shift) = normal(e);
             Number {
-                m: whole | (product << 1 >> (32 - shift)),
-                e: 32 - shift as i32,
+                m: whole | (product << 1 >> 32u32.wrapping_sub(shift)),
+                e: 32i32.wrapping_sub(shift as i32),
             }
         }
     }
@@ -85,7 +85,7 @@ pub(crate) fn log2(part: Part) -> Number {
 #[inline(always)]
 pub(crate) fn exp2(y: Number) -> (u32, u32) {
     let (whole, fraction) = y.parts();
-    let value = (1 << 30) + EXP2.at((fraction ^ (1 << 31)) as i32).max(0) as u32;
+    let value = (EXP2.at((fraction ^ (1 << 31)) as i32).max(0) as u32).wrapping_add(1 << 30);
     (value, whole)
 }
 

@@ -159,7 +159,7 @@ impl Format for Q31 {
 
     #[inline(always)]
     fn units(component: I1F31) -> i32 {
-        component.to_bits().max(-i32::MAX)
+        component.to_bits().max(i32::MAX.wrapping_neg())
     }
 
     #[inline(always)]

@@ -10,8 +10,8 @@ use crate::fixed::kernel::mul::{mul_high, mul_high_signed};
 #[inline(always)]
 pub(crate) fn half_recip(d: u32) -> u32 {
     let r = RECIP.at(((!d << 1) ^ (1 << 31)) as i32) as u32; // Q14
-    let e = (1 << 30) - mul_high(d, r << 16) as i32; // Q30
-    let e = e + (((e >> 7) * (e >> 7)) >> 16);
+    let e = (1i32 << 30).wrapping_sub(mul_high(d, r << 16) as i32); // Q30
+    let e = e.wrapping_add(((e >> 7).wrapping_mul(e >> 7)) >> 16);
     let more = mul_high_signed((r << 15) as i32, e << 9) >> 5; // Q32 of half the change
-    (r << 17).wrapping_add_signed(more - 2)
+    (r << 17).wrapping_add_signed(more.wrapping_sub(2))
 }

@@ -15,18 +15,28 @@ use crate::fixed::kernel::normal::{normal, normal_long};
 #[inline(always)]
 fn of_mantissa(m: u32, odd: u32) -> u32 {
     let r = RECIP_SQRT.at((!m) as i32) as u32; // Q14
-    let e = (1 << 30) - mul_high(m, (r * r) << 2) as i32; // 1 − m r² in Q30
-    let r = (r << 3).wrapping_add_signed(((e >> 5) * r as i32 + (1 << 22)) >> 23); // Q17
-    let r = r + (((r * ROOT_TWO_LESS_ONE + (1 << 14)) >> 15) & odd.wrapping_neg());
+    let e = (1i32 << 30).wrapping_sub(mul_high(m, (r.wrapping_mul(r)) << 2) as i32); // 1 − m r² in Q30
+    let r =
+        (r << 3).wrapping_add_signed(((e >> 5).wrapping_mul(r as i32).wrapping_add(1 << 22)) >> 23); // Q17
+    let r = r.wrapping_add(
+        ((r.wrapping_mul(ROOT_TWO_LESS_ONE).wrapping_add(1 << 14)) >> 15) & odd.wrapping_neg(),
+    );
     let (m, lost) = (m >> odd, (m & odd) as i32);
-    let s = (mul_high(m, r << 13) + (1 << 13)) >> 14; // Q16
+    let s = (mul_high(m, r << 13).wrapping_add(1 << 13)) >> 14; // Q16
     // Both differences are small; s = 2¹⁶ makes its square and its shift wrap, and the sum wraps
     // back.
     let rest = m.wrapping_sub(s.wrapping_mul(s)) as i32;
-    let slope = ((r + 1) >> 1) as i32; // Q16
-    let low = (((rest & 3) * 2 + lost) * slope) >> 3;
+    let slope = ((r.wrapping_add(1)) >> 1) as i32; // Q16
+    let low = (((rest & 3).wrapping_mul(2).wrapping_add(lost)).wrapping_mul(slope)) >> 3;
     // One less than half a unit, so that no root rounds up to 1.
-    (s << 16).wrapping_add_signed(((rest >> 2) * slope + low + (1 << 14) - 1) >> 15)
+    (s << 16).wrapping_add_signed(
+        ((rest >> 2)
+            .wrapping_mul(slope)
+            .wrapping_add(low)
+            .wrapping_add(1 << 14)
+            .wrapping_sub(1))
+            >> 15,
+    )
 }
 
 /// √2 − 1 in Q15.
@@ -70,8 +80,8 @@ pub(crate) fn complement(v: u64) -> u32 {
     }
     let (m, shift) = normal_long(v);
     // m·(1 + x)/2, from 3/8 to 1, so one bit makes it normal again.
-    let product = mul_high(m, (1 << 31) + (!((v >> 32) as u32) >> 1));
+    let product = mul_high(m, (!((v >> 32) as u32) >> 1).wrapping_add(1 << 31));
     let less = (product >> 31) ^ 1;
-    let e = (shift + less).wrapping_sub(1);
+    let e = (shift.wrapping_add(less)).wrapping_sub(1);
     halve(of_mantissa(product << less, e & 1) >> (e >> 1).min(31))
 }

@@ -28,7 +28,7 @@ pub(crate) fn quarter_by<const A: usize, const B: usize, const C: usize, const D
     // An exact eighth is 2³²: taken as one unit less.
     let y = (x << 1).wrapping_sub(x >> 31);
     let square = mul_high(y, y);
-    let cos = (1 << 31) - halve(mul_high(square, cos.at(square)));
+    let cos = (1u32 << 31).wrapping_sub(halve(mul_high(square, cos.at(square))));
     let sin = halve(mul_high(y, sin.at(square)));
     let swap = (cos ^ sin) & past;
     (cos ^ swap, sin ^ swap)

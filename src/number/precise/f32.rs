@@ -79,6 +79,9 @@ impl Tier for Precise<f32> {
         quick: impl FnOnce() -> [f64; N],
         accurate: impl FnOnce() -> [Double; N],
     ) -> [Self; N] {
+        if margin == Margin::Unbounded {
+            return decide(accurate);
+        }
         let mut out = [Self::ZERO; N];
         for (out, y) in out.iter_mut().zip(quick()) {
             match decided(y, margin) {
@@ -126,20 +129,20 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn quick_turn(bits: u32) -> CosSin<f64> {
+    fn quick_turn_from_bits(bits: u32) -> CosSin<f64> {
         let (quadrant, x) = turn(bits);
         f64::at_quadrant(quadrant, x)
     }
 
     #[inline]
-    fn accurate_turn(bits: u32) -> CosSin<Double> {
+    fn accurate_turn_from_bits(bits: u32) -> CosSin<Double> {
         let (quadrant, x) = turn(bits);
         Double::at_quadrant(quadrant, Double::exact(x))
     }
 }
 
-/// An azimuth as quarters and turns, exactly.
-#[inline]
+/// (q, x): a uniform azimuth as q quarters and x turns, exactly.
+#[inline(always)]
 fn turn(bits: u32) -> (u32, f64) {
     let (quadrant, part) = parts_of_turn(bits);
     (quadrant, f64::from(part) * power_of_two(-33))

@@ -118,20 +118,20 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn quick_turn(bits: u64) -> CosSin<Double> {
+    fn quick_turn_from_bits(bits: u64) -> CosSin<Double> {
         let (quadrant, x) = turn(bits);
         Double::at_quadrant(quadrant, x)
     }
 
     #[inline]
-    fn accurate_turn(bits: u64) -> CosSin<Scaled> {
+    fn accurate_turn_from_bits(bits: u64) -> CosSin<Scaled> {
         let (quadrant, x) = turn(bits);
         Scaled::at_quadrant(quadrant, Scaled::from_double(x))
     }
 }
 
-/// An azimuth as quarters and turns, exactly.
-#[inline]
+/// (q, x): a uniform azimuth as q quarters and x turns, exactly.
+#[inline(always)]
 fn turn(bits: u64) -> (u32, Double) {
     let (quadrant, part) = parts_of_turn(bits);
     let hi = part as f64;

@@ -1,6 +1,7 @@
 //! What the command line may say.
 
 use clap::{Parser, Subcommand};
+use kit::accuracy::part::Part;
 use std::path::PathBuf;
 
 /// Measures errors and costs of every operation, and writes tables and plots of both.
@@ -31,8 +32,52 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with_all = ["keep_errors", "errors"])]
     pub(crate) check: bool,
 
+    /// Measure errors alone, and of them the I-th of N parts, into part-I-of-N.json in the folder.
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["keep_errors", "errors", "check"])]
+    pub(crate) part: Option<Part>,
+
     #[command(subcommand)]
     pub(crate) task: Option<Task>,
+}
+
+/// Parts of a run.
+#[derive(Debug, clap::Args)]
+pub(crate) struct MergeArgs {
+    /// The files of all parts.
+    #[arg(required = true)]
+    pub(crate) parts: Vec<PathBuf>,
+
+    /// The errors of the whole run, for --errors.
+    #[arg(short, long, default_value = "docs/measured/accuracy_errors.json")]
+    pub(crate) out: PathBuf,
+}
+
+/// Where to search, and for how long.
+#[derive(Debug, clap::Args)]
+pub(crate) struct SearchArgs {
+    /// One law, such as Ball, instead of all.
+    #[arg(long)]
+    pub(crate) law: Option<String>,
+
+    /// Climb for one operation alone, by its name in docs/bounds.md.
+    #[arg(long)]
+    pub(crate) op: Option<String>,
+
+    /// One number type, such as f64; else those whose inputs are too many to try each.
+    #[arg(long = "type", value_name = "TYPE")]
+    pub(crate) number: Option<String>,
+
+    /// Time for each law in each number type.
+    #[arg(long, default_value_t = 10.0)]
+    pub(crate) seconds: f64,
+
+    /// Another seed searches elsewhere.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+
+    /// The worst inputs: those of an earlier search are judged again, and where it goes on from.
+    #[arg(long, default_value = "docs/measured/worst_inputs.json")]
+    pub(crate) out: PathBuf,
 }
 
 #[derive(Debug, Subcommand)]
@@ -55,6 +100,10 @@ pub(crate) enum Task {
     Limits,
     /// Counts instructions an element of loops that shall be vectors, at SSE2 and AVX2: fails where one is none.
     Vectors,
+    /// Merges all parts of a run.
+    Merge(MergeArgs),
+    /// Searches for the inputs with the largest errors.
+    Search(SearchArgs),
     /// Prints the nanoseconds an element that Disk.quantile takes over a file of f64 (native bytes).
     DiskQuantile {
         /// The probabilities.

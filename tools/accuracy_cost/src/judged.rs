@@ -2,6 +2,7 @@
 
 use kit::Number;
 use kit::accuracy::monotone;
+use kit::accuracy::part::Part;
 use kit::accuracy::reference::Id;
 use kit::accuracy::rows::{Key, Row, keys, measure_all};
 use kit::accuracy::subject::{Subject, Tiers};
@@ -27,6 +28,18 @@ pub(crate) struct Quantiles {
     pub(crate) first_hex: Option<String>,
 }
 
+impl Quantiles {
+    /// With those of the next part.
+    pub(crate) fn merge(mut self, next: Quantiles) -> Self {
+        self.inputs += next.inputs;
+        self.steps_back += next.steps_back;
+        let value = |hex: &String| u64::from_str_radix(hex.trim_start_matches("0x"), 16).ok();
+        let both = self.first_hex.into_iter().chain(next.first_hex);
+        self.first_hex = both.min_by_key(value);
+        self
+    }
+}
+
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct Judged {
     pub(crate) errors: Vec<Row>,
@@ -34,12 +47,17 @@ pub(crate) struct Judged {
 }
 
 /// Every operation of every law in every type; all but f32's fixed laws by samples.
-pub(crate) fn measure(stride: u64, samples: u64, step: impl Fn(u64) + Sync) -> Vec<Row> {
-    measure_all(stride, samples, step)
+pub(crate) fn measure(
+    stride: u64,
+    samples: u64,
+    part: Part,
+    step: impl Fn(u64) + Sync,
+) -> Vec<Row> {
+    measure_all(stride, samples, part, step)
 }
 
 /// Quantiles of the fixed laws: every `stride`-th p of f32, `samples` of f64. `step` hears of each.
-pub(crate) fn quantiles(stride: u64, samples: u64, step: impl Fn()) -> Vec<Quantiles> {
+pub(crate) fn quantiles(stride: u64, samples: u64, part: Part, step: impl Fn()) -> Vec<Quantiles> {
     let mut all = Vec::new();
     let mut push = |tier: &str, id: Id, inputs, exhaustive, (steps_back, first): (u64, u64)| {
         step();
@@ -53,13 +71,15 @@ pub(crate) fn quantiles(stride: u64, samples: u64, step: impl Fn()) -> Vec<Quant
         });
     };
     for s in promising::<f32>() {
-        let inputs = f32::of(1.0).bits() / stride;
-        let found = monotone::strided(&s, stride);
+        let share = part.share(f32::of(1.0).bits() / stride);
+        let inputs = share.end - share.start;
+        let found = monotone::strided(&s, stride, part);
         push(s.tier, s.id, inputs, stride == 1, found);
     }
     for s in promising::<f64>() {
-        let found = monotone::sampled(&s, samples);
-        push(s.tier, s.id, samples - samples % 3, false, found);
+        let share = part.share(samples - samples % 3);
+        let found = monotone::sampled(&s, samples, part);
+        push(s.tier, s.id, share.end - share.start, false, found);
     }
     all
 }

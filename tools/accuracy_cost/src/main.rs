@@ -6,6 +6,7 @@
 //! cargo run --release -p accuracy_cost -- --stride 1 --samples 3000000   # every f32: hours
 //! cargo run --release -p accuracy_cost -- --keep-errors   # costs alone, errors as they stand
 //! cargo run --release -p accuracy_cost -- --check         # counts twice, expects no difference
+//! cargo run --release -p accuracy_cost -- search --seconds 200   # the worst inputs of f64 and CosPower: an hour
 //! ```
 //!
 //! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
@@ -23,9 +24,11 @@ mod limits;
 mod machine;
 mod page;
 mod pareto;
+mod parts;
 mod peers;
 mod row;
 mod scipy;
+mod search;
 mod stability;
 mod study;
 mod summary;
@@ -51,16 +54,21 @@ fn main() -> ExitCode {
             count::child(cells.map(|c| [&mut *c.run, &mut *c.empty]));
             Ok(())
         }
-        Some(Task::DiskQuantile { input, values }) => {
-            disk_quantile::run(input, values.as_deref()).map_err(Into::into)
-        }
         Some(Task::LambertDirections { input, values }) => {
             directions::run(input, values.as_deref()).map_err(Into::into)
         }
         Some(Task::Limits) => limits::run(),
         Some(Task::Vectors) => limits::vectors(),
-        None if args.check => check::run(),
-        None => study::run(&args),
+        Some(Task::Merge(args)) => parts::merge(args),
+        Some(Task::Search(args)) => search::run(args),
+        Some(Task::DiskQuantile { input, values }) => {
+            disk_quantile::run(input, values.as_deref()).map_err(Into::into)
+        }
+        None => match args.part {
+            Some(part) => parts::one(&args, part),
+            None if args.check => check::run(),
+            None => study::run(&args),
+        },
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -9,6 +9,7 @@ use crate::row::{Row, csv};
 use crate::time::times;
 use crate::{page, pareto, scipy, stability};
 use indicatif::{ProgressBar, ProgressStyle};
+use kit::accuracy::part::Part;
 use kit::accuracy::rows::{law_name, total_inputs};
 use kit::study::count::{Missing, counts};
 use kit::study::errors::Errors;
@@ -95,14 +96,16 @@ fn our_errors(args: &Args) -> Result<Judged, String> {
         Some(path) => judged::read(path)?,
         None => {
             let progress = bar("errors", total_inputs(args.stride, args.samples));
-            let errors = judged::measure(args.stride, args.samples, |n| progress.inc(n));
+            let errors =
+                judged::measure(args.stride, args.samples, Part::WHOLE, |n| progress.inc(n));
             progress.finish_and_clear();
             (errors, None)
         }
     };
     let quantiles = quantiles.unwrap_or_else(|| {
         let progress = bar("quantiles", judged::quantile_keys().len() as u64);
-        let quantiles = judged::quantiles(args.stride, args.samples, || progress.inc(1));
+        let quantiles =
+            judged::quantiles(args.stride, args.samples, Part::WHOLE, || progress.inc(1));
         progress.finish_and_clear();
         quantiles
     });

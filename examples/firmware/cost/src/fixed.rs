@@ -3,8 +3,8 @@
 use crate::Meter;
 use crate::inputs::{COUNT, FROM_END, TAILS};
 use crate::laws::EXPONENT;
-use coslobe::fixed::{CosPower, FixedLaw};
-use coslobe::{CosSin, Fixed};
+use coslobe::fixed::{CosPower, FixedLaw, FixedSpatial};
+use coslobe::{Ball, CosSin, Fixed, Lambert, SphereShell};
 use fixed::traits::Fixed as Format;
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
@@ -41,6 +41,22 @@ pub fn every_fixed_law(meter: &mut Meter) {
     every_integer_law(&mut Counted(meter));
     let power = CosPower::new(U16F16::from_num(EXPONENT));
     law(meter, "CosPower(20)", &Fixed(power), false);
+    around(meter, "Ball", Ball);
+    around(meter, "SphereShell", SphereShell);
+    around(meter, "Lambert", Lambert);
+    around(meter, "CosPower(20)", power);
+}
+
+/// A lobe around a normal, which is an input as the law is.
+fn around<L: FixedSpatial>(meter: &mut Meter, name: &'static str, law: L) {
+    meter.law(name);
+    let input = (Fixed(law), [0.36, -0.48, 0.8].map(I1F31::from_num));
+    meter.draw_as::<XorShiftRng, _, _>(
+        "sample_around",
+        &input,
+        |(law, normal), rng| law.sample_around(*normal, rng),
+        |_, _| <[I1F31; 3]>::default(),
+    );
 }
 
 struct Counted<'a, 'm>(&'a mut Meter<'m>);

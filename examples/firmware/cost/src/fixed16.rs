@@ -2,8 +2,8 @@
 
 use crate::Meter;
 use crate::fixed::{pairs, probabilities, turns};
-use coslobe::fixed::Fixed16Law;
-use coslobe::{CosSin, Fixed16};
+use coslobe::fixed::{Fixed16Law, Fixed16Spatial};
+use coslobe::{Ball, CosSin, Fixed16, Lambert, SphereShell};
 use fixed::types::{I0F16, I1F15, U0F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use rand_pcg::Pcg32;
@@ -12,6 +12,21 @@ use rand_xorshift::XorShiftRng;
 /// Every operation of every law.
 pub fn every_fixed16_law(meter: &mut Meter) {
     every_integer_law(&mut Counted(meter));
+    around(meter, "Ball", Ball);
+    around(meter, "SphereShell", SphereShell);
+    around(meter, "Lambert", Lambert);
+}
+
+/// A lobe around a normal, which is an input as the law is.
+fn around<L: Fixed16Spatial>(meter: &mut Meter, name: &'static str, law: L) {
+    meter.law(name);
+    let input = (Fixed16(law), [0.36, -0.48, 0.8].map(I1F15::from_num));
+    meter.draw_as::<XorShiftRng, _, _>(
+        "sample_around",
+        &input,
+        |(law, normal), rng| law.sample_around(*normal, rng),
+        |_, _| <[I1F15; 3]>::default(),
+    );
 }
 
 struct Counted<'a, 'm>(&'a mut Meter<'m>);

@@ -3,12 +3,15 @@
 use super::format::Format;
 use super::inputs::stratified;
 use super::op::AT_ANGLE;
+use super::part::Part;
 use super::subject::Subject;
 use super::tally::{Place, Tally};
 use super::truth::{BLOCK, Truth};
 use super::truths::{Angle, Slot, Truths, angle_slots, tail_slots};
 use super::wide::HALF_PI;
 use rayon::prelude::*;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
+use std::ops::Range;
 
 /// What is put in: an angle in [0, π/2] and its pair, or a probability in [0, ½] from either end,
 /// which is the whole domain since 1 − u is exact for u ≥ ½, or a pair by its cosine or sine in [0, 1].
@@ -39,6 +42,16 @@ impl Input {
             Input::Tail => F::HALF_BITS,
             Input::Cos | Input::Sin => F::of(1.0).bits(),
         }
+    }
+
+    /// Whether the upper end of the range is nearer than the lower.
+    fn nears_the_end<F: Format>(self, x: F) -> bool {
+        let middle = match self {
+            Input::Angle => FRAC_PI_4,
+            Input::Cos | Input::Sin => FRAC_1_SQRT_2,
+            Input::Tail => f64::INFINITY,
+        };
+        x.wide() > middle
     }
 
     fn place<F: Format>(self, x: F) -> Place {
@@ -72,7 +85,8 @@ impl<F: Format> Bench<F> {
     fn block(&mut self, subjects: &[Subject<F>], input: Input, x: &[F], tally: &mut Tally) {
         self.places.clear();
         let (first, last) = (input.place(x[0]), input.place(x[x.len() - 1]));
-        let together = first == last && x.windows(2).all(|w| w[0] < w[1]);
+        let one_side = input.nears_the_end(x[0]) == input.nears_the_end(x[x.len() - 1]);
+        let together = one_side && first == last && x.windows(2).all(|w| w[0] < w[1]);
         if together {
             self.places.push(first);
         } else {
@@ -138,17 +152,19 @@ pub fn judge<F: Format>(subjects: &[Subject<F>], input: Input, x: &[F]) -> Tally
 fn over<F: Format>(
     subjects: &[Subject<F>],
     input: Input,
-    count: u64,
+    share: Range<u64>,
     at: impl Fn(u64) -> F + Sync,
     progress: impl Fn(u64) + Sync,
 ) -> Tally {
     let block = BLOCK as u64;
+    let count = share.end - share.start;
     let task = (count / 512).clamp(1, 1 << 19).next_multiple_of(block);
     (0..count.div_ceil(task))
         .into_par_iter()
         .map(|t| {
             let (mut bench, mut tally) = (Bench::new(), Tally::new(subjects.len()));
-            let (start, end) = (t * task, ((t + 1) * task).min(count));
+            let start = share.start + t * task;
+            let end = (start + task).min(share.end);
             let mut x = Vec::with_capacity(BLOCK);
             for b in (start..end).step_by(BLOCK) {
                 x.clear();
@@ -166,6 +182,7 @@ pub fn sweep<F: Format>(
     subjects: &[Subject<F>],
     input: Input,
     stride: u64,
+    part: Part,
     progress: impl Fn(u64) + Sync,
 ) -> Tally {
     let top = input.top::<F>();
@@ -173,11 +190,11 @@ pub fn sweep<F: Format>(
     let tally = over(
         subjects,
         input,
-        count,
+        part.share(count),
         |i| F::of_bits(first + i * stride),
         progress,
     );
-    if first == 0 {
+    if first == 0 || part.index < part.of {
         return tally;
     }
     tally.merge(judge(subjects, input, &[F::of_bits(0)]))
@@ -188,8 +205,10 @@ pub fn sample<F: Format>(
     subjects: &[Subject<F>],
     input: Input,
     n: u64,
+    part: Part,
     progress: impl Fn(u64) + Sync,
 ) -> Tally {
     let (n, top) = (n - n % 3, input.top::<F>());
-    over(subjects, input, n, |i| stratified(top, i, n), progress)
+    let share = part.share(n);
+    over(subjects, input, share, |i| stratified(top, i, n), progress)
 }

@@ -1,8 +1,11 @@
 //! Quantiles never step back, and mirror where the law does.
 
-use super::format::Format;
+use super::format::{Format, ulp};
 use super::inputs::stratified;
+use super::op::{AT_ANGLE, Op};
+use super::part::Part;
 use super::subject::Subject;
+use coslobe::CosSin;
 use rayon::prelude::*;
 
 /// Whether a number type promises it: a relative error of 2⁻¹² leaves room for steps either way.
@@ -26,22 +29,51 @@ fn backward<T: Format>(s: &Subject<T>, arguments: impl ParallelIterator<Item = u
 }
 
 /// Every `stride`-th p of [0, 1).
-pub fn strided<T: Format>(s: &Subject<T>, stride: u64) -> (u64, u64) {
+pub fn strided<T: Format>(s: &Subject<T>, stride: u64, part: Part) -> (u64, u64) {
     let one = T::of(1.0).bits();
     backward(
         s,
-        (0..one / stride).into_par_iter().map(move |i| i * stride),
+        part.share(one / stride)
+            .into_par_iter()
+            .map(move |i| i * stride),
     )
 }
 
 /// Some n stratified p of [0, 1).
-pub fn sampled<T: Format>(s: &Subject<T>, n: u64) -> (u64, u64) {
+pub fn sampled<T: Format>(s: &Subject<T>, n: u64, part: Part) -> (u64, u64) {
     let n = n - n % 3;
     let top = T::of(1.0).bits() - 1;
     backward(
         s,
-        (0..n)
+        part.share(n)
             .into_par_iter()
             .map(move |i| stratified::<T>(top, i, n).bits()),
     )
+}
+
+/// The largest step back of `cdf` or of `sf` between neighbouring angles, in ulps, and the angle below
+/// it: some n stratified angles.
+pub fn tails_step_back<T: Format>(s: &Subject<T>, n: u64) -> (f64, u64) {
+    let n = n - n % 3;
+    let slots = [Op::Cdf, Op::Sf].map(|op| AT_ANGLE.iter().position(|&o| o == op));
+    let tails = |bits: u64| {
+        let theta = T::of_bits(bits);
+        let all = s.law.at_angle(
+            Some(theta),
+            CosSin {
+                cos: theta,
+                sin: theta,
+            },
+        );
+        slots.map(|slot| all[slot.expect("an operation at an angle")].wide())
+    };
+    let step = |i: u64| {
+        let bits = stratified::<T>(T::TOP_ANGLE - 1, i, n).bits();
+        let ([cdf, sf], [next_cdf, next_sf]) = (tails(bits), tails(bits + 1));
+        let up = (cdf - next_cdf) / ulp::<T>(cdf);
+        let down = (next_sf - sf) / ulp::<T>(sf);
+        (up.max(down), bits)
+    };
+    let steps = (0..n).into_par_iter().map(step);
+    steps.reduce(|| (0.0, 0), |a, b| if b.0 > a.0 { b } else { a })
 }

@@ -31,17 +31,23 @@ impl<W: Wide> Direction<W> {
 
     /// From the smaller of the two components.
     pub fn at_pair(cos: f64, sin: f64) -> Self {
-        let one = W::of(1.0);
+        let (one, cos, sin) = (W::of(1.0), W::of(cos), W::of(sin));
         if cos <= sin {
-            let cos = W::of(cos);
-            let sin = (one - cos * cos).root();
-            let eta = W::angle(sin, cos);
-            Self::new(W::pi() * W::of(0.5) - eta, eta, cos, sin)
+            Self::pair(cos, (one - cos * cos).root())
         } else {
-            let sin = W::of(sin);
-            let cos = (one - sin * sin).root();
+            Self::pair((one - sin * sin).root(), sin)
+        }
+    }
+
+    /// From both components, each exact.
+    pub fn pair(cos: W, sin: W) -> Self {
+        let half_pi = W::pi() * W::of(0.5);
+        if cos <= sin {
+            let eta = W::angle(sin, cos);
+            Self::new(half_pi - eta, eta, cos, sin)
+        } else {
             let theta = W::angle(cos, sin);
-            Self::new(theta, W::pi() * W::of(0.5) - theta, cos, sin)
+            Self::new(theta, half_pi - theta, cos, sin)
         }
     }
 

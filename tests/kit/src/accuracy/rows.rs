@@ -2,11 +2,12 @@
 
 use super::format::Format;
 use super::inputs::exponents;
-use super::measure::{sample, sweep};
+use super::measure::{Input, sample, sweep};
 use super::op::{OPERATIONS, Op};
+use super::part::Part;
 use super::reference::Id;
 use super::subject::{Subject, Tiers};
-use super::tally::{BINS, Stat, Tally};
+use super::tally::{BINS, KEPT, Stat, Tally};
 use serde::{Deserialize, Serialize};
 
 /// An error that is infinite, or a NaN result, is written as `f64::MAX`: JSON has no infinity.
@@ -73,6 +74,43 @@ impl Row {
         [&self.tier, &self.law, &self.operation].map(Clone::clone)
     }
 
+    /// With the same row of the next part: what one run over both would have written.
+    pub fn merge(mut self, next: Row) -> Self {
+        // A run over both judges all of one kind of input before the next kind.
+        let kind = |row: &Row| {
+            Input::ALL
+                .iter()
+                .position(|i| i.name() == row.worst_input_of)
+        };
+        if next.max_ulp > self.max_ulp || next.max_ulp == self.max_ulp && kind(&next) < kind(&self)
+        {
+            self.max_ulp = next.max_ulp;
+            self.worst_input_hex = next.worst_input_hex;
+            self.worst_input_of = next.worst_input_of;
+            self.worst_input = next.worst_input;
+        }
+        self.inputs += next.inputs;
+        self.misrounded += next.misrounded;
+        let correct = (self.inputs - self.misrounded) as f64;
+        self.correctly_rounded_percent = 100.0 * correct / self.inputs as f64;
+        self.misrounded_hex.extend(next.misrounded_hex);
+        let value = |hex: &String| u64::from_str_radix(hex.trim_start_matches("0x"), 16).ok();
+        self.misrounded_hex.sort_by_key(value);
+        self.misrounded_hex.dedup();
+        self.misrounded_hex.truncate(KEPT);
+        self.ties += next.ties;
+        self.max_relative = self.max_relative.max(next.max_relative);
+        self.max_relative_tail = self.max_relative_tail.max(next.max_relative_tail);
+        for decade in next.decades {
+            match self.decades.iter_mut().find(|d| d.from == decade.from) {
+                Some(d) => d.max_relative = d.max_relative.max(decade.max_relative),
+                None => self.decades.push(decade),
+            }
+        }
+        self.decades.sort_by_key(|d| -d.from);
+        self
+    }
+
     fn new<F: Format>(s: &Subject<F>, operation: &str, stat: &Stat, exhaustive: bool) -> Self {
         let finite = |x: f64| x.min(f64::MAX);
         let width = F::BIN as i32;
@@ -117,29 +155,54 @@ fn rows<F: Format>(subjects: &[Subject<F>], tally: &Tally, exhaustive: bool) -> 
 }
 
 /// Every `stride`-th number.
-pub fn swept<F: Tiers>(ids: &[Id], stride: u64, progress: impl Fn(u64) + Sync) -> Vec<Row> {
+pub fn swept<F: Tiers>(
+    ids: &[Id],
+    stride: u64,
+    part: Part,
+    progress: impl Fn(u64) + Sync,
+) -> Vec<Row> {
     let subjects = Subject::all(ids);
-    let each = |input| sweep(&subjects, input, stride, &progress);
+    let each = |input| sweep(&subjects, input, stride, part, &progress);
     let tally = Tally::over_inputs(each);
     rows::<F>(&subjects, &tally, stride == 1)
 }
 
 /// n stratified numbers of each kind.
-pub fn sampled<F: Tiers>(ids: &[Id], n: u64, progress: impl Fn(u64) + Sync) -> Vec<Row> {
+pub fn sampled<F: Tiers>(
+    ids: &[Id],
+    n: u64,
+    part: Part,
+    progress: impl Fn(u64) + Sync,
+) -> Vec<Row> {
     let subjects = Subject::all(ids);
-    let each = |input| sample(&subjects, input, n, &progress);
+    let each = |input| sample(&subjects, input, n, part, &progress);
     let tally = Tally::over_inputs(each);
     rows::<F>(&subjects, &tally, false)
 }
 
 /// All number types: f32 swept at `stride` (1 is exhaustive), f64 at `samples` stratified inputs of
 /// each kind, `CosPower` at a tenth of them for each exponent. `progress` is told of inputs done, in
-/// all [`total_inputs`].
-pub fn measure_all(stride: u64, samples: u64, progress: impl Fn(u64) + Sync) -> Vec<Row> {
-    let mut all = swept::<f32>(&Id::FIXED, stride, &progress);
-    all.extend(sampled::<f32>(&exponents::<f32>(), samples / 10, &progress));
-    all.extend(sampled::<f64>(&Id::FIXED, samples, &progress));
-    all.extend(sampled::<f64>(&exponents::<f64>(), samples / 10, &progress));
+/// all [`total_inputs`], a part its share.
+pub fn measure_all(
+    stride: u64,
+    samples: u64,
+    part: Part,
+    progress: impl Fn(u64) + Sync,
+) -> Vec<Row> {
+    let mut all = swept::<f32>(&Id::FIXED, stride, part, &progress);
+    all.extend(sampled::<f32>(
+        &exponents::<f32>(),
+        samples / 10,
+        part,
+        &progress,
+    ));
+    all.extend(sampled::<f64>(&Id::FIXED, samples, part, &progress));
+    all.extend(sampled::<f64>(
+        &exponents::<f64>(),
+        samples / 10,
+        part,
+        &progress,
+    ));
     all
 }
 
@@ -162,7 +225,8 @@ pub fn keys() -> Vec<Key> {
 
 /// Inputs that [`measure_all`] visits, up to rounding.
 pub fn total_inputs(stride: u64, samples: u64) -> u64 {
-    (f32::TOP_ANGLE + f32::HALF_BITS) / stride + 2 * (samples + 2 * (samples / 10))
+    let swept: u64 = Input::ALL.iter().map(|i| i.top::<f32>() / stride).sum();
+    swept + Input::ALL.len() as u64 * (samples + 2 * (samples / 10))
 }
 
 pub fn to_json(rows: &[Row]) -> serde_json::Result<String> {

@@ -10,7 +10,7 @@ use super::wide::Wide;
 pub const BINS: usize = 48;
 
 /// How many misrounded inputs are kept: the smallest.
-const KEPT: usize = 4;
+pub const KEPT: usize = 4;
 
 /// Where an input lies: the bin of its distance to the nearer end, and whether it is in the tail.
 ///

@@ -1,0 +1,63 @@
+//! A direction's three components, rounded once: the product of two rounded numbers is no longer one.
+
+use crate::CosSin;
+use crate::arithmetic::holds::Holds;
+use crate::arithmetic::kernel::Wide;
+use crate::number::Real;
+use crate::number::tier::Tier;
+use crate::scalar::Scalar;
+
+/// An azimuth by what it is given as, for either phase of a number type.
+#[derive(Clone, Copy)]
+pub enum Azimuth<T: Real> {
+    /// Random bits.
+    Word(<T as Tier>::TurnBits),
+    /// Turns in \[0, 1\], or NaN.
+    Turn(T),
+}
+
+impl<T: Real> Azimuth<T> {
+    #[inline(always)]
+    pub(crate) fn quick(self) -> CosSin<T::Quick> {
+        match self {
+            Azimuth::Word(bits) => T::quick_turn_from_bits(bits),
+            Azimuth::Turn(turn) => at_turn(turn),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn accurate(self) -> CosSin<T::Accurate> {
+        match self {
+            Azimuth::Word(bits) => T::accurate_turn_from_bits(bits),
+            Azimuth::Turn(turn) => at_turn(turn),
+        }
+    }
+}
+
+#[inline(always)]
+fn at_turn<T: Real, W: Holds<T>>(turn: T) -> CosSin<W> {
+    if turn.is_nan() {
+        CosSin {
+            cos: W::NAN,
+            sin: W::NAN,
+        }
+    } else {
+        W::at_turn(W::from_number(turn))
+    }
+}
+
+/// \[sin θ cos φ, cos θ, sin θ sin φ\].
+#[inline(always)]
+pub(crate) fn spherical<T: Scalar>(at: CosSin<T>, azimuth: CosSin<T>) -> [T; 3] {
+    [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
+}
+
+/// (cos θ, sin θ) of a direction, and its azimuth in turns, from 0 to 1.
+#[inline(always)]
+pub(crate) fn polar<T: Real, W: Holds<T>>(d: [T; 3]) -> (CosSin<W>, W) {
+    let [x, cos, z] = d.map(W::from_number);
+    let sin = CosSin::hypot(x, z);
+    let turn = z.atan2(x) * W::CONSTANTS.recip_two_pi.value();
+    let turn = if turn < W::ZERO { turn + W::ONE } else { turn };
+    (W::by_the_smaller(CosSin { cos, sin }), turn)
+}
