@@ -143,6 +143,7 @@ fn fill(frame: &mut Frame, share: Share, body: &[u8]) -> Result<(), String> {
             first: rgb(),
             sum: rgb(),
             squares: rgb(),
+            rests: [[0.0; 3]; 2],
         }
     });
     for block in blocks {

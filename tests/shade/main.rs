@@ -14,13 +14,17 @@ mod hand;
 mod sets;
 
 mod bad_scenes;
+mod contact;
 mod effects;
 mod fog;
 mod form_factors;
 mod furnace;
 mod golden;
 mod mutants;
+mod numbers;
+mod random;
 mod shadows;
 mod stage;
+mod sums;
 mod variance;
 mod words;
