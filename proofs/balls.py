@@ -91,7 +91,7 @@ class Tape:
             return v
         return self.number(v.value, ((v.at, 1),), min(v.value.abs_upper(), least))
 
-    def fast_sum(self, total, terms, second=None):
+    def fast_two_sum(self, total, terms, second=None):
         most = self.half_ulp(total.abs_upper())
         error = self.number(arb(0), (), most if second is None else min(most, second.abs_upper()))
         return self.number(total + error.value, (*terms, (error.at, 1))), -error
@@ -131,7 +131,7 @@ class Exact(Tape):
     def rounded(self, value, terms, most=None):
         return self.number(value)
 
-    def fast_sum(self, total, terms, second=None):
+    def fast_two_sum(self, total, terms, second=None):
         return self.number(total), self.number(arb(0))
 
 
@@ -163,7 +163,7 @@ class Nearest(Exact):
     def dropped(self, v, least):
         return self.number(arb(0)) if v.value < least else v
 
-    def fast_sum(self, total, terms, second=None):
+    def fast_two_sum(self, total, terms, second=None):
         hi = self.rounded(total, terms)
         return hi, self.number(total - hi.value)
 
@@ -231,13 +231,13 @@ class Number:
         return self.tape.number(self.value + b.value, ((self.at, 1), (b.at, 1)))
 
 
-def fast_sum(a, b):
-    """Pair::fast_sum: (hi, lo), lo the exact error of hi as |a| >= |b|, which is checked."""
+def fast_two_sum(a, b):
+    """Pair::fast_two_sum: (hi, lo), lo the exact error of hi as |a| >= |b|, which is checked."""
     terms = ((b.at, 1), (a.at, 1)) if isinstance(a, Number) else ((b.at, 1),)
     first = a.value if isinstance(a, Number) else arb(a)
     if not first.abs_lower() >= b.value.abs_upper():
-        raise ValueError(f"fast_sum of {first} and {b.value}")
-    return b.tape.fast_sum(first + b.value, terms, b.value)
+        raise ValueError(f"fast_two_sum of {first} and {b.value}")
+    return b.tape.fast_two_sum(first + b.value, terms, b.value)
 
 
 def horner(x, c):

@@ -19,7 +19,7 @@ xv fl= x * v;                       # x.hi * v
 {horner(form, "h", "v", "sin", cs)}
 xvh fl= xv * h;                     # * horner(v, sin)
 rest fl= lw + xvh;
-r = x + rest;                       # fast_sum: exact
+r = x + rest;                       # fast_two_sum: exact
 y fl= x + rest;                     # value()
 V = x * x; P = {P(form, "sin", "V", cs)};
 M = x + x * V * Q + l * C;        # sin x + l cos x; l^2/2 is beyond
@@ -50,7 +50,7 @@ vvh fl= vv * h;                     # v * v * horner(v, cos)
 xl fl= x * l;                       # x.hi * x.lo
 a fl= vvh - xl;
 rest fl= e + a;
-r = w + rest;                       # fast_sum: exact
+r = w + rest;                       # fast_two_sum: exact
 y fl= w + rest;
 V = x * x; P = {P(form, "cos", "V", cs)};
 M = 1 - V * 0.5 + V * V * Q - l * S;

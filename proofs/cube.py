@@ -12,7 +12,7 @@ from tables import ROOT, exact
 
 def source(form):
     """(guess's constant, CBRT_STEPS, CBRT_RAISE - 1), as the crate has them."""
-    text = (ROOT / f"src/number/{form.name}.rs").read_text()
+    text = (ROOT / f"src/arithmetic/native/{form.name}.rs").read_text()
     find = lambda pattern: re.search(pattern, text)[1].replace("_", "")
     guess = find(r"from_bits\((0x[0-9A-F_]+)(?:_u\d\d)?\.wrapping_sub\(self\.to_bits\(\) / 3\)\)")
     steps = find(r"CBRT_STEPS: usize = (\d+);")

@@ -15,7 +15,7 @@ t fl= s * s;
 st fl= s * t;
 {by_fours("h", "t", cs, "fl")}
 b fl= st * h;                       # s * t * bend
-r = s * 0.5 + b;                    # fast_sum: exact
+r = s * 0.5 + b;                    # fast_two_sum: exact
 T = s * s;
 {by_fours("P", "T", cs, "")}
 R = s * 0.5 + s * T * P;
@@ -27,7 +27,7 @@ R = s * 0.5 + s * T * P;
 
 
 def tail_of_cos(form, cs, E):
-    """kepler.rs tail_at_pair for cos <= sin."""
+    """kepler.rs tail_at_direction for cos <= sin."""
     hi, lo = form.pair["two_over_three_pi"]
     body = head(form) + f"""
 c = fl(cc);
@@ -52,12 +52,12 @@ M = c * W * N;
 
 
 def centre_of_sin(form, cs, E):
-    """kepler.rs tail_at_pair for sin < cos."""
+    """kepler.rs tail_at_direction for sin < cos."""
     hi, lo = form.pair["two_over_pi"]
     body = head(form) + f"""
 s = fl(xx);
 w fl= s * s;
-lh fl= s * {exact(hi)};             # Pair::product: hi
+lh fl= s * {exact(hi)};             # Pair::two_prod: hi
 ll = s * {exact(hi)} - lh;          # and its exact low part
 sl fl= s * {exact(lo)};
 sw fl= s * w;

@@ -8,7 +8,7 @@ polynomials (certified on the same piece).
 import csv
 import re
 
-from balls import PRECISION, Exact, Nearest, Tape, arb, by_fours, ctx, exponents, fast_sum, horner, nearest, power
+from balls import PRECISION, Exact, Nearest, Tape, arb, by_fours, ctx, exponents, fast_two_sum, horner, nearest, power
 from cube import PLACES
 from part import Proved
 from tables import ROOT
@@ -18,7 +18,7 @@ EDGE_PRECISION = 1600  # 2 eta - sin 2 eta loses 2/3 of p's 1074 bits at the far
 
 
 class Kernel:
-    """One of pair_at_tail's results ("cos", "sin") or angle_at_tail's ("angle"), with all that is proved of its parts."""
+    """One of direction_at_tail's results ("cos", "sin") or angle_at_tail's ("angle"), with all that is proved of its parts."""
 
     def __init__(self, form, result, poly):
         self.form, self.result, self.poly = form, result, poly
@@ -28,7 +28,7 @@ class Kernel:
         cbrt = [float(rows[f"cbrt {place}", form.name]["before_rounding"]) for place in PLACES]
         # Up to each place; below 1 the ulp is half.
         self.cbrt = [max(cbrt[-1] / 2, *cbrt[:i + 1]) for i in range(len(cbrt))]
-        text = (ROOT / f"src/number/{form.name}.rs").read_text()
+        text = (ROOT / f"src/arithmetic/native/{form.name}.rs").read_text()
         self.negligible = 3 * int(re.search(r"const NEGLIGIBLE: f\d\d = power_of_two\((-\d+)\);", text)[1])
 
     def roots(self, tape, p, high):
@@ -56,7 +56,7 @@ class Kernel:
     def from_end_at(self, s):
         t = s * s
         bend = by_fours(t, self.poly["kepler_tail"])
-        return fast_sum(s * 0.5, s * t * bend)
+        return fast_two_sum(s * 0.5, s * t * bend)
 
     def from_axis_at(self, tape, d):
         w = d * d
@@ -70,7 +70,7 @@ class Kernel:
         hi, lo = x
         v = hi * hi
         v = tape.dropped(v, power(self.negligible))
-        w, w_error = fast_sum(1.0, -(v * 0.5))
+        w, w_error = fast_two_sum(1.0, -(v * 0.5))
         rest = lo * w + hi * v * horner(v, self.poly["sin"])
         cos_rest = w_error + (v * v * horner(v, self.poly["cos"]) - hi * lo)
         return (w, cos_rest), (hi, rest)
@@ -94,10 +94,10 @@ class Kernel:
             if near_end:
                 end_hi, end_lo = self.form.pair["half_pi"]
                 end_lo = tape.constant(arb.pi() / 2 - arb(end_hi), end_lo)
-                theta = fast_sum(end_hi, -hi)
+                theta = fast_two_sum(end_hi, -hi)
                 hi, lo = theta[0], theta[1] + (end_lo - lo)
             return hi.plus(lo), missed
-        cos, sin = self.small(tape, (hi, lo) if near_end else fast_sum(hi, lo))
+        cos, sin = self.small(tape, (hi, lo) if near_end else fast_two_sum(hi, lo))
         v = angle * angle
         if (self.result == "cos") == near_end:
             return sin[0].plus(sin[1]), missed * angle.cos().abs_upper() + (angle * v).abs_upper() * self.sin

@@ -119,7 +119,7 @@ def half_turn(form, one, of_sin):
 
 
 def disk_unwarp(form, one, nearer):
-    """kepler.rs tail_at_pair: the nearer tail, and 1 - that."""
+    """kepler.rs tail_at_direction: the nearer tail, and 1 - that."""
     def of_cos(tape, c):
         cs = form.poly["disk_tail_of_cos"]
         w = c * c

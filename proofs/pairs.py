@@ -4,7 +4,7 @@ import csv
 import re
 from functools import lru_cache
 
-from balls import Nearest, arb, exponents, fast_sum, horner, nearest, power
+from balls import Nearest, arb, exponents, fast_two_sum, horner, nearest, power
 from cube import PLACES
 from tables import ROOT
 from tools import approximation
@@ -72,9 +72,9 @@ def from_end(tape, a, far):
         if d.value == 0:
             return Pair(rest, tape.number(arb(0)))
     else:
-        d, rest = fast_sum(tape.number(arb(hi)), -a)
+        d, rest = fast_two_sum(tape.number(arb(hi)), -a)
         rest = rest + end
-    return Pair(*fast_sum(d, rest))
+    return Pair(*fast_two_sum(d, rest))
 
 
 def small(tape, x):
@@ -82,13 +82,13 @@ def small(tape, x):
     form, v = tape.form, x.hi * x.hi
     v = tape.dropped(v, power(3 * negligible(form)))
     half = v * 0.5
-    w, w_error = fast_sum(tape.number(arb(1)), -half)
+    w, w_error = fast_two_sum(tape.number(arb(1)), -half)
     cube = (x.hi * v) * horner(v, form.poly["sin"])
     square = v.value.abs_upper()
     cube = off_by(tape, cube, x.hi.value.abs_upper() * square * missed(form, "sin"))
     rest = x.lo * w + cube
     fourth = off_by(tape, (v * v) * horner(v, form.poly["cos"]), square * square * missed(form, "cos"))
-    return Pair(*fast_sum(w, w_error + (fourth - x.hi * x.lo))), Pair(*fast_sum(x.hi, rest))
+    return Pair(*fast_two_sum(w, w_error + (fourth - x.hi * x.lo))), Pair(*fast_two_sum(x.hi, rest))
 
 
 def at_angle(tape, a, far):
@@ -100,7 +100,7 @@ def at_angle(tape, a, far):
 
 @lru_cache
 def negligible(form):
-    text = (ROOT / f"src/number/{form.name}.rs").read_text()
+    text = (ROOT / f"src/arithmetic/native/{form.name}.rs").read_text()
     return int(re.search(r"const NEGLIGIBLE: f\d\d = power_of_two\((-\d+)\);", text)[1])
 
 

@@ -1,2 +1,2 @@
 #![doc = include_str!("../docs/bounds.md")]
-#![doc = include_str!("../docs/accuracy_cost.md")]
+#![doc = include_str!("../docs/measured/accuracy_cost.md")]

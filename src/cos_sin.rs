@@ -1,6 +1,6 @@
 //! A direction as its cosine and sine.
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 /// A direction by the cosine and sine of its angle θ from the axis.
 ///
@@ -43,7 +43,7 @@ impl<T: Scalar> CosSin<T> {
     }
 
     #[inline(always)]
-    pub(crate) fn of_array([cos, sin]: [T; 2]) -> Self {
+    pub(crate) fn from_array([cos, sin]: [T; 2]) -> Self {
         CosSin { cos, sin }
     }
 

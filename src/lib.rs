@@ -72,14 +72,14 @@ mod arithmetic;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
-#[cfg(feature = "fixed")]
-pub mod fixed16;
 mod frame;
 pub mod integration;
 mod law;
 mod moments;
 mod number;
 mod point;
+mod sample;
+mod scalar;
 pub mod self_test;
 mod tails;
 pub mod uniform;
@@ -87,9 +87,7 @@ mod weight;
 
 pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
-pub use fixed::Fixed;
-#[cfg(feature = "fixed")]
-pub use fixed16::Fixed16;
+pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
 pub use law::{
     Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Planar, Spatial,
@@ -99,6 +97,7 @@ pub use moments::Moments;
 pub use number::{Fast, Precise, Real};
 pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
+pub use sample::Sample;
 pub use tails::Tails;
 pub use weight::{balance_heuristic, power_heuristic};
 

@@ -1,11 +1,12 @@
 //! The point before it was normalised.
 
+use crate::arithmetic::constants::Constants;
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
-use crate::arithmetic::tier::{Holds, Margin};
 use crate::number::Real;
+use crate::number::tier::Margin;
 use crate::{CosSin, Law, Planar, Spatial, uniform};
 use core::fmt;
 use rand_core::Rng;
@@ -222,15 +223,15 @@ impl<T: Real, L: Spatial<T> + Tangent<T>> SpatialPoint<T> for L {}
 /// An exact constant, rounded to the format.
 #[inline(always)]
 fn constant<T: Real>(of: impl Fn(&Constants<Pair<T::Base>>) -> Pair<T::Base>) -> T {
-    T::of_base(of(&<T::Base as Native>::CONSTANTS).value())
+    T::from_base(of(&<T::Base as Native>::CONSTANTS).value())
 }
 
 #[inline]
 fn ln<T: Real>(x: T) -> T {
     let [ln] = T::rounded(
         Margin::Relative,
-        || [T::Quick::of(x).ln()],
-        || [T::Work::of(x).ln()],
+        || [T::Quick::from_number(x).ln()],
+        || [T::Accurate::from_number(x).ln()],
     );
     ln
 }
@@ -239,8 +240,8 @@ fn ln<T: Real>(x: T) -> T {
 fn cube_root<T: Real>(x: T) -> T {
     let [root] = T::rounded(
         Margin::Relative,
-        || [T::Quick::of(x).cbrt()],
-        || [T::Work::of(x).cbrt()],
+        || [T::Quick::from_number(x).cbrt()],
+        || [T::Accurate::from_number(x).cbrt()],
     );
     root
 }

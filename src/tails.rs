@@ -1,6 +1,6 @@
 //! A probability held as both its tails.
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 /// A probability as the pair (cdf, sf), each to full relative accuracy.
 ///
@@ -57,7 +57,7 @@ impl<T: Scalar> Tails<T> {
     }
 
     #[inline(always)]
-    pub(crate) fn of_array([lower, upper]: [T; 2]) -> Self {
+    pub(crate) fn from_array([lower, upper]: [T; 2]) -> Self {
         Tails { lower, upper }
     }
 

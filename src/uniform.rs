@@ -11,8 +11,8 @@
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
 
-use crate::arithmetic::tier::Tier;
 use crate::number::Real;
+use crate::number::tier::Tier;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -30,7 +30,7 @@ pub type TurnBits<T> = <T as Tier>::TurnBits;
 /// ```
 #[inline]
 pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
-    T::tails_of(bits)
+    T::tails_from_bits(bits)
 }
 
 /// (cos φ, sin φ) of a uniform azimuth: the word n stands for n + ½ parts of the whole turn.
@@ -39,19 +39,19 @@ pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
 /// worst word 0x150de96f), 2.222 ulp for `f64` (observed, 10⁶ words, worst 0xab03af3e485dfc88).
 #[inline]
 pub fn azimuth_from_bits<T: Real>(bits: TurnBits<T>) -> CosSin<T> {
-    T::turn_of(bits)
+    T::turn_from_bits(bits)
 }
 
 /// Draws [`tails_from_bits`]: one `next_u64` for `f32`, two (high word first) for `f64`.
 #[inline]
 pub fn tails<T: Real, R: Rng + ?Sized>(rng: &mut R) -> Tails<T> {
-    T::tails_of(T::draw_tail_bits(rng))
+    T::tails_from_bits(T::draw_tail_bits(rng))
 }
 
 /// Draws [`azimuth_from_bits`]: one `next_u32` for `f32`, one `next_u64` for `f64`.
 #[inline]
 pub fn azimuth<T: Real, R: Rng + ?Sized>(rng: &mut R) -> CosSin<T> {
-    T::turn_of(T::draw_turn_bits(rng))
+    T::turn_from_bits(T::draw_turn_bits(rng))
 }
 
 /// A uniform number in (0, 1], of full relative precision towards 0; words as [`tails`].

@@ -1,14 +1,12 @@
 //! Every operation, and the references of the sweeps, against Arb's tables of proven values.
 
-mod accuracy;
-
-use accuracy::bounds::allowed;
-use accuracy::double::Double;
-use accuracy::format::{Format, error_in_ulps};
-use accuracy::inverse::{angle, warp};
-use accuracy::reference::{self, Direction, Id};
-use accuracy::subject::{Subject, Tier};
-use accuracy::wide::Wide;
+use kit::accuracy::bounds::allowed;
+use kit::accuracy::double::Double;
+use kit::accuracy::format::{Format, error_in_ulps};
+use kit::accuracy::inverse::{angle, warp};
+use kit::accuracy::reference::{self, Direction, Id};
+use kit::accuracy::subject::Subject;
+use kit::accuracy::wide::Wide;
 
 /// One row of the committed tables.
 struct Row {
@@ -47,10 +45,10 @@ fn arb() -> Vec<Row> {
     all
 }
 
-fn against_arb<T: Format + Tier<Raw = T>>(want: impl Fn(&Row) -> T::Wide) {
+fn against_arb<T: Format>(want: impl Fn(&Row) -> T::Wide) {
     let mut checked = 0;
     for row in arb() {
-        let x = T::round(row.argument);
+        let x = T::of(row.argument);
         if x.wide() != row.argument {
             continue; // the argument is not a number of this format
         }

@@ -1,16 +1,14 @@
 //! Every operation against true values: sweeps against wider arithmetic.
 
-mod accuracy;
-
-use accuracy::bounds::broken;
-use accuracy::format::Format;
-use accuracy::inputs::exponents;
-use accuracy::measure::{Input, judge, sample, sweep};
-use accuracy::monotone;
-use accuracy::reference::{self, Direction, Id};
-use accuracy::rows::{Row, from_json, keys, measure_all, to_json};
-use accuracy::subject::{Subject, Tiers};
-use accuracy::tally::Tally;
+use kit::accuracy::bounds::broken;
+use kit::accuracy::format::Format;
+use kit::accuracy::inputs::exponents;
+use kit::accuracy::measure::{Input, judge, sample, sweep};
+use kit::accuracy::monotone;
+use kit::accuracy::reference::{self, Direction, Id};
+use kit::accuracy::rows::{Row, from_json, keys, measure_all, to_json};
+use kit::accuracy::subject::{Subject, Tiers};
+use kit::accuracy::tally::Tally;
 
 fn holds<T: Format>(subjects: &[Subject<T>], tally: &Tally) {
     let broken = broken(subjects, tally);
@@ -90,7 +88,7 @@ fn crosses_zero<T: Tiers>() {
                     below = middle
                 }
             }
-            let middle = T::round(below).bits();
+            let middle = T::of(below).bits();
             let around: Vec<_> = (middle - 200..middle + 200).map(T::of_bits).collect();
             let tally = judge(&subjects, Input::Angle, &around);
             holds(&subjects, &tally);

@@ -1,15 +1,13 @@
 //! `Fast` keeps its promises: for every random word there is, and for arguments of every kind.
 
-mod stats;
-
 use coslobe::uniform::{azimuth_from_bits, tails_from_bits};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Real, Spatial,
     SphereShell,
 };
-use stats::laws::Float;
+use kit::Number;
 
-fn wide<T: Float>(at: CosSin<T>) -> (f64, f64) {
+fn wide<T: Number>(at: CosSin<T>) -> (f64, f64) {
     (at.cos.into(), at.sin.into())
 }
 

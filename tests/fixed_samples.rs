@@ -2,15 +2,13 @@
 //! generators that are stuck.
 #![cfg(feature = "fixed")]
 
-mod stats;
-
 use coslobe::fixed::{CosPower, FixedLaw};
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed, Lambert, Law, Moments, SphereShell};
 use fixed::types::{I1F31, U0F32, U16F16};
-use stats::harness::{examine, examine_tail};
-use stats::laws::{Claim, Direction};
-use stats::words::{self, Words};
+use kit::stats::claim::{Claim, Direction};
+use kit::stats::harness::{examine, examine_tail};
+use kit::stats::words::{self, Words};
 
 /// One unit in the last place.
 const UNIT: f64 = 1.0 / 2147483648.0;

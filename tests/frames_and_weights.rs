@@ -1,11 +1,9 @@
 //! The error bounds that `Frame` and the heuristics state, on random arguments.
 
-mod accuracy;
-
-use accuracy::format::{Format, error_in_ulps};
-use accuracy::values::Tier;
-use accuracy::wide::Wide;
 use coslobe::{Fast, Frame, Precise, balance_heuristic, power_heuristic};
+use kit::Number;
+use kit::accuracy::format::{Format, error_in_ulps};
+use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -24,20 +22,16 @@ fn normal(rng: &mut Pcg64, i: usize) -> [f64; 3] {
     v.map(|c| c / length)
 }
 
-type Exact<T> = <<T as Tier>::Raw as Format>::Wide;
+type Exact<T> = <<T as Number>::Raw as Format>::Wide;
 
-fn round<T: Tier>(x: f64) -> T {
-    T::of(T::Raw::round(x))
-}
-
-fn orthonormal<T: Tier>() {
+fn orthonormal<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(23);
     let mut worst = 0.0f64;
     for i in 0..N {
-        let n = normal(&mut rng, i).map(round::<T>);
+        let n = normal(&mut rng, i).map(T::of);
         let axes = Frame::from_unit(n)
             .axes()
-            .map(|a| a.map(|c| Exact::<T>::of(c.raw().wide())));
+            .map(|a| a.map(|c| Exact::<T>::of(c.wide())));
         for (i, a) in axes.iter().enumerate() {
             for (j, b) in axes.iter().enumerate() {
                 let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -62,15 +56,12 @@ fn frames_are_orthonormal() {
     orthonormal::<Fast<f32>>();
 }
 
-fn heuristics<T: Tier>() {
+fn heuristics<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(29);
     let (mut balance, mut power) = (0.0f64, 0.0f64);
     for _ in 0..N {
-        let [a, b] = [0; 2].map(|_| round::<T>(2f64.powf(40.0 * unit(&mut rng) - 20.0)));
-        let (wa, wb) = (
-            Exact::<T>::of(a.raw().wide()),
-            Exact::<T>::of(b.raw().wide()),
-        );
+        let [a, b] = [0; 2].map(|_| T::of(2f64.powf(40.0 * unit(&mut rng) - 20.0)));
+        let (wa, wb) = (Exact::<T>::of(a.wide()), Exact::<T>::of(b.wide()));
         balance = balance.max(error_in_ulps(balance_heuristic(a, b).raw(), wa / (wa + wb)));
         let (a2, b2) = (wa * wa, wb * wb);
         power = power.max(error_in_ulps(power_heuristic(a, b).raw(), a2 / (a2 + b2)));

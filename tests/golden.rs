@@ -3,12 +3,12 @@
 //! A mismatch is a value-breaking change. If it is meant, mark it "value-breaking" in the changelog
 //! and regenerate the file: `COSLOBE_BLESS=1 cargo test --test golden`.
 
-mod stats;
-
 use coslobe::rand_core::Rng;
-use coslobe::{Fast, Law, PlanarPoint, Precise, Spatial};
+use coslobe::{Fast, Law, Precise, Spatial};
+use kit::catalogue::every_law;
+use kit::stats::claim::Claim;
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 use rand_pcg::{Pcg32, Pcg64};
-use stats::laws::{Claim, Float, Visitor, each};
 use std::fmt::Write;
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/values.txt");
@@ -18,7 +18,7 @@ const COUNT: usize = 10_000;
 struct Hash(u64);
 
 impl Hash {
-    fn of<T: Float, const N: usize>(values: impl IntoIterator<Item = [T; N]>) -> u64 {
+    fn of<T: Number, const N: usize>(values: impl IntoIterator<Item = [T; N]>) -> u64 {
         let mut hash = Hash(0xcbf2_9ce4_8422_2325);
         for value in values.into_iter().flatten() {
             hash.add(value.bits());
@@ -38,7 +38,7 @@ impl Hash {
 struct Lines(String);
 
 impl Lines {
-    fn samples<T: Float, const N: usize>(
+    fn samples<T: Number, const N: usize>(
         &mut self,
         law: &str,
         draw: impl Fn(&mut dyn Rng) -> [T; N],
@@ -47,7 +47,7 @@ impl Lines {
         self.stream(law, "Pcg64", &mut Pcg64::new(1, 2), &draw);
     }
 
-    fn stream<T: Float, const N: usize>(
+    fn stream<T: Number, const N: usize>(
         &mut self,
         law: &str,
         name: &str,
@@ -64,7 +64,7 @@ impl Lines {
     }
 
     /// The functions, at angles and probabilities that run a little beyond their domains' ends.
-    fn functions<T: Float>(&mut self, name: &str, law: &impl Law<T>) {
+    fn functions<T: Number>(&mut self, name: &str, law: &impl Law<T>) {
         let steps = |from: f64, to: f64| {
             (0..COUNT).map(move |i| T::of(from + (to - from) * i as f64 / (COUNT - 1) as f64))
         };
@@ -85,7 +85,7 @@ impl Lines {
         self.hash(name, "moments", [moments]);
     }
 
-    fn hash<T: Float, const N: usize>(
+    fn hash<T: Number, const N: usize>(
         &mut self,
         law: &str,
         operation: &str,
@@ -99,13 +99,15 @@ impl Lines {
     }
 }
 
-impl<T: Float> Visitor<T> for Lines {
-    fn planar<L: PlanarPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+impl<T: Number> LawVisitor<T> for Lines {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         self.samples(&claim.name, |mut rng| law.sample(&mut rng));
         self.functions(&claim.name, &law);
     }
 
-    fn spatial<L: Spatial<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         self.samples(&claim.name, |mut rng| Spatial::sample(&law, &mut rng));
         self.functions(&claim.name, &law);
     }
@@ -114,11 +116,11 @@ impl<T: Float> Visitor<T> for Lines {
 #[test]
 fn values_are_stable() {
     let mut lines = Lines::default();
-    each::<f32>(&mut lines, &[7.3]);
-    each::<f64>(&mut lines, &[7.3]);
-    each::<Precise<f32>>(&mut lines, &[7.3]);
-    each::<Precise<f64>>(&mut lines, &[7.3]);
-    each::<Fast<f32>>(&mut lines, &[7.3]);
+    every_law::<f32>(&mut lines, &[7.3]);
+    every_law::<f64>(&mut lines, &[7.3]);
+    every_law::<Precise<f32>>(&mut lines, &[7.3]);
+    every_law::<Precise<f64>>(&mut lines, &[7.3]);
+    every_law::<Fast<f32>>(&mut lines, &[7.3]);
     if std::env::var_os("COSLOBE_BLESS").is_some() {
         std::fs::write(FILE, &lines.0).expect("the golden file is writable");
         return;

@@ -1,16 +1,13 @@
 //! Stuck and hostile generators: every sampler ends, draws its documented words and keeps its promises.
 
-mod stats;
-
-use coslobe::{
-    CosSin, Fast, Law, Measure, Planar, PlanarPoint, Precise, Radius, Spatial, SpatialPoint, Tails,
-    uniform,
-};
-use stats::laws::{Claim, Drawn, Float, Visitor, each};
-use stats::words::{Source, Words, hostile};
+use coslobe::{CosSin, Fast, Law, Measure, Planar, Precise, Radius, Spatial, Tails, uniform};
+use kit::catalogue::every_law;
+use kit::stats::claim::Claim;
+use kit::stats::words::{Source, Words, hostile};
+use kit::{Drawn, Id, LawVisitor, Number, PlanarLaw, SpatialLaw, TangentLaw};
 
 /// Words of one probability, of one azimuth, and of a direction with both.
-fn documented<T: Float>() -> [Drawn; 3] {
+fn documented<T: Number>() -> [Drawn; 3] {
     let (tail, turn) = (T::TAIL_WORDS, T::TURN_WORDS);
     [tail, turn, plus(tail, turn)]
 }
@@ -46,7 +43,7 @@ fn norm<const N: usize>(v: [f64; N]) -> f64 {
 }
 
 /// A unit vector to 2 ulp or what the type promises, inside the open support where `law` has a positive finite density.
-fn direction<T: Float>(case: &str, law: &impl Law<T>, at: CosSin<T>, length: f64) {
+fn direction<T: Number>(case: &str, law: &impl Law<T>, at: CosSin<T>, length: f64) {
     let zero = T::of(0.0);
     assert!(
         (length - 1.0).abs() <= T::LENGTH,
@@ -69,7 +66,7 @@ fn direction<T: Float>(case: &str, law: &impl Law<T>, at: CosSin<T>, length: f64
 struct Hostile;
 
 impl Hostile {
-    fn spatial<T: Float>(name: &str, law: &impl Spatial<T>) {
+    fn spatial<T: Number>(name: &str, law: &impl Spatial<T>) {
         let [_, _, words] = documented::<T>();
         let check = |case: &str, d: [T; 3]| {
             let [x, y, z] = d.map(Into::into);
@@ -98,7 +95,7 @@ impl Hostile {
         }
     }
 
-    fn points<T: Float, const N: usize>(
+    fn points<T: Number, const N: usize>(
         name: &str,
         measure: Measure,
         sample: Drawn,
@@ -130,8 +127,9 @@ impl Hostile {
     }
 }
 
-impl<T: Float> Visitor<T> for Hostile {
-    fn planar<L: PlanarPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+impl<T: Number> LawVisitor<T> for Hostile {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         let [words, ..] = documented::<T>();
         let sample = |rng: &mut Words<Source>| Planar::sample(&law, rng);
         drawn(
@@ -152,11 +150,13 @@ impl<T: Float> Visitor<T> for Hostile {
         });
     }
 
-    fn spatial<L: Spatial<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         Self::spatial(&claim.name, &law);
     }
 
-    fn tangent<L: SpatialPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+    fn tangent<L: TangentLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         Self::spatial(&claim.name, &law);
         let [_, _, words] = documented::<T>();
         Self::points(&claim.name, L::MEASURE, words, |rho, rng| {
@@ -165,7 +165,7 @@ impl<T: Float> Visitor<T> for Hostile {
     }
 }
 
-fn uniforms<T: Float>() {
+fn uniforms<T: Number>() {
     let [probability, azimuth, _] = documented::<T>();
     let inside = |case: &str, u: T| {
         assert!(u.into() > 0.0 && u.into() <= 1.0, "{case}: {u:?}");
@@ -202,29 +202,29 @@ const F64_EXPONENTS: [f64; 7] = [0.0, 1e-300, 0.5, 7.3, 1e4, 1e12, f64::MAX];
 #[test]
 fn hostile_generators_f32() {
     uniforms::<f32>();
-    each::<f32>(&mut Hostile, &F32_EXPONENTS);
+    every_law::<f32>(&mut Hostile, &F32_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_f64() {
     uniforms::<f64>();
-    each::<f64>(&mut Hostile, &F64_EXPONENTS);
+    every_law::<f64>(&mut Hostile, &F64_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_precise_f32() {
     uniforms::<Precise<f32>>();
-    each::<Precise<f32>>(&mut Hostile, &F32_EXPONENTS);
+    every_law::<Precise<f32>>(&mut Hostile, &F32_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_precise_f64() {
     uniforms::<Precise<f64>>();
-    each::<Precise<f64>>(&mut Hostile, &F64_EXPONENTS);
+    every_law::<Precise<f64>>(&mut Hostile, &F64_EXPONENTS);
 }
 
 #[test]
 fn hostile_generators_fast_f32() {
     uniforms::<Fast<f32>>();
-    each::<Fast<f32>>(&mut Hostile, &F32_EXPONENTS);
+    every_law::<Fast<f32>>(&mut Hostile, &F32_EXPONENTS);
 }

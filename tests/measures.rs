@@ -3,13 +3,13 @@
 //! The paper sets out to normalise points uniform on a surface, but its δ(r − 2ρ cos θ) measures a
 //! shell of constant radial thickness. This shows both, and that no law passes for another.
 
-mod stats;
-
-use coslobe::{Fast, Measure, PlanarPoint, Precise, Radius, Spatial, SpatialPoint};
+use coslobe::{Fast, Measure, Precise, Radius};
+use kit::catalogue::every_law;
+use kit::stats::claim::Claim;
+use kit::stats::measures::{from_centre, radius, raw_point};
+use kit::stats::{chi2, ks, words};
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw, TangentLaw};
 use rand_pcg::Pcg64;
-use stats::laws::{Claim, Float, Visitor, each};
-use stats::measures::{from_centre, radius, raw_point};
-use stats::{chi2, ks, words};
 use std::f64::consts::TAU;
 
 const N: usize = 100_000;
@@ -29,19 +29,21 @@ fn cdfs(claim: &Claim, points: &[[f64; 3]]) -> Vec<f64> {
 #[derive(Default)]
 struct Measures(Vec<(Measure, Claim)>);
 
-impl Visitor<f64> for Measures {
-    fn planar<L: PlanarPoint<f64> + Copy + 'static>(&mut self, claim: Claim, _: L) {
+impl LawVisitor<f64> for Measures {
+    fn planar<L: PlanarLaw<f64>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         self.0.push((L::MEASURE, claim));
     }
-    fn spatial<L: Spatial<f64> + Copy + 'static>(&mut self, _: Claim, _: L) {}
-    fn tangent<L: SpatialPoint<f64> + Copy + 'static>(&mut self, claim: Claim, _: L) {
+    fn spatial<L: SpatialLaw<f64>>(&mut self, _: Id, _: L) {}
+    fn tangent<L: TangentLaw<f64>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         self.0.push((L::MEASURE, claim));
     }
 }
 
 fn matrix(planar: bool) {
     let mut laws = Measures::default();
-    each(&mut laws, &[]);
+    every_law(&mut laws, &[]);
     laws.0.retain(|(_, claim)| claim.planar == planar);
     assert_eq!(laws.0.len(), 3);
     for (measure, _) in &laws.0 {
@@ -81,7 +83,7 @@ fn each_spatial_measure_gives_its_law_alone() {
 struct Points;
 
 impl Points {
-    fn check<T: Float>(
+    fn check<T: Number>(
         name: &str,
         measure: Measure,
         draw: impl Fn(Radius<T>, &mut Pcg64) -> [T; 3],
@@ -107,7 +109,7 @@ impl Points {
     }
 
     /// Points about the origin, which have to be uniform by `measure` in the unit body.
-    fn uniform<T: Float>(case: &str, measure: Measure, points: Vec<[f64; 3]>) {
+    fn uniform<T: Number>(case: &str, measure: Measure, points: Vec<[f64; 3]>) {
         let power = match measure {
             Measure::Area => 2,
             Measure::Volume => 3,
@@ -154,15 +156,17 @@ impl Points {
     }
 }
 
-impl<T: Float> Visitor<T> for Points {
-    fn planar<L: PlanarPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+impl<T: Number> LawVisitor<T> for Points {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         Self::check(&claim.name, L::MEASURE, |rho, rng| {
             let [x, y] = law.sample_point(rho, rng);
             [x, y, T::of(0.0)]
         });
     }
-    fn spatial<L: Spatial<T> + Copy + 'static>(&mut self, _: Claim, _: L) {}
-    fn tangent<L: SpatialPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, _: L) {}
+    fn tangent<L: TangentLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         Self::check(&claim.name, L::MEASURE, |rho, rng| {
             law.sample_point(rho, rng)
         });
@@ -171,21 +175,21 @@ impl<T: Float> Visitor<T> for Points {
 
 #[test]
 fn points_are_uniform_f32() {
-    each::<f32>(&mut Points, &[]);
+    every_law::<f32>(&mut Points, &[]);
 }
 
 #[test]
 fn points_are_uniform_f64() {
-    each::<f64>(&mut Points, &[]);
+    every_law::<f64>(&mut Points, &[]);
 }
 
 #[test]
 fn points_are_uniform_precise() {
-    each::<Precise<f32>>(&mut Points, &[]);
-    each::<Precise<f64>>(&mut Points, &[]);
+    every_law::<Precise<f32>>(&mut Points, &[]);
+    every_law::<Precise<f64>>(&mut Points, &[]);
 }
 
 #[test]
 fn points_are_uniform_fast() {
-    each::<Fast<f32>>(&mut Points, &[]);
+    every_law::<Fast<f32>>(&mut Points, &[]);
 }

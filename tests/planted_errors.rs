@@ -1,17 +1,16 @@
 //! Planted errors, each of which the judges of `tests/error_bounds.rs` must notice.
 
-mod accuracy;
-
-use accuracy::bounds::broken;
-use accuracy::measure::{Input, sweep};
-use accuracy::op::Op;
-use accuracy::reference::Id;
-use accuracy::spoiled::{Altered, Spoiled};
-use accuracy::subject::{Subject, Tier};
-use accuracy::tally::{Stat, Tally};
 use coslobe::{CircleShell, CosSin, Law, SphereShell};
+use kit::accuracy::bounds::broken;
+use kit::accuracy::format::Format;
+use kit::accuracy::measure::{Input, sweep};
+use kit::accuracy::op::Op;
+use kit::accuracy::reference::Id;
+use kit::accuracy::spoiled::{Altered, Spoiled};
+use kit::accuracy::subject::Subject;
+use kit::accuracy::tally::{Stat, Tally};
 
-fn rejects<T: Tier<Raw = T> + accuracy::format::Format>(spoiled: Spoiled, stride: u64) {
+fn rejects<T: Format>(spoiled: Spoiled, stride: u64) {
     let subjects = [Subject::<T>::planar::<T>(Id::Disk, spoiled)];
     let tally = sweep(&subjects, Input::Angle, stride, |_| ());
     assert!(!broken(&subjects, &tally).is_empty());

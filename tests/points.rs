@@ -1,19 +1,17 @@
 //! Points before normalisation: distances and densities against the formulas in wider arithmetic.
 
-mod accuracy;
-
-use accuracy::format::{Format, error_in_ulps, ulp};
-use accuracy::values::Tier;
-use accuracy::wide::Wide;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Measure, Precise, Radius,
     SphereShell, Tangent,
 };
+use kit::Number;
+use kit::accuracy::format::{Format, error_in_ulps, ulp};
+use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 /// Allowed ulps of distances and densities: as the docs of `Tangent` state, or 2⁻¹².
-fn allowed<T: Tier>() -> f64 {
+fn allowed<T: Number>() -> f64 {
     if T::NAME.starts_with("Fast") {
         2f64.powi(T::Raw::DIGITS - 1 - 12)
     } else {
@@ -33,8 +31,8 @@ fn shape<W: Wide>(measure: Measure) -> Option<(W, i32, i32)> {
     }
 }
 
-fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
-    let wide = |x: T| x.raw().wide();
+fn judge<T: Number, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
+    let wide = |x: T| x.wide();
     let exact = |x: T| <T::Raw as Format>::Wide::of(wide(x));
     let allowed = allowed::<T>();
     let radius = Radius::new(rho).expect("a valid radius");
@@ -49,11 +47,11 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
             * if L::MEASURE == Measure::SphereShell {
                 at.sin
             } else {
-                T::of(T::Raw::round(1.0))
+                T::of(1.0)
             };
         assert_eq!(
-            law.point_density(radius, at, r).raw().bits(),
-            pdf.raw().bits(),
+            law.point_density(radius, at, r).bits(),
+            pdf.bits(),
             "{place}"
         );
         return;
@@ -96,7 +94,7 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
         "{place}: ln density off by {error:e}"
     );
     if root > 0 {
-        let beyond = T::of(T::Raw::round(distance.near() * 1.001 / share.near()));
+        let beyond = T::of(distance.near() * 1.001 / share.near());
         assert_eq!(wide(law.point_density(radius, at, beyond)), 0.0, "{place}");
         assert_eq!(
             wide(law.ln_point_density(radius, at, beyond)),
@@ -107,10 +105,10 @@ fn judge<T: Tier, L: Tangent<T>>(law: &L, rho: T, u: T, v: T) {
 }
 
 /// Radii over the whole admitted range, the ends included.
-fn everywhere<T: Tier>() {
+fn everywhere<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(17);
     let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
-    let round = |x| T::of(T::Raw::round(x));
+    let round = |x| T::of(x);
     let least = 2f64.powi(T::Raw::LEAST);
     let (low, high) = (least.log2(), (T::Raw::MAX_VALUE / 4.0).log2());
     for i in 0..20_000 {

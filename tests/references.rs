@@ -1,15 +1,13 @@
 //! The references of the sweeps against each other: what the narrower claims, the wider confirms.
 
-mod accuracy;
-
-use accuracy::double::Double;
-use accuracy::format::{Format, nearest};
-use accuracy::inputs::{exponents, stratified};
-use accuracy::long::Long;
-use accuracy::measure::Input;
-use accuracy::reference::Id;
-use accuracy::truths::{runs_out, values};
-use accuracy::wide::Wide;
+use kit::accuracy::double::Double;
+use kit::accuracy::format::{Format, nearest};
+use kit::accuracy::inputs::{exponents, stratified};
+use kit::accuracy::long::Long;
+use kit::accuracy::measure::Input;
+use kit::accuracy::reference::Id;
+use kit::accuracy::truths::{runs_out, values};
+use kit::accuracy::wide::Wide;
 use rayon::prelude::*;
 
 /// Worst difference over `Narrow::EPS` of all values of the laws at n stratified inputs; values

@@ -1,16 +1,17 @@
 //! The tiers beside each other: `Precise` draws what the plain type draws.
 
-mod stats;
-
-use coslobe::{PlanarPoint, Precise, Spatial};
-use stats::laws::{Claim, Float, Visitor, each};
-use stats::words;
+use coslobe::{Precise, Spatial};
+use kit::catalogue::every_law;
+use kit::stats::claim::Claim;
+use kit::stats::words;
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 
 /// Directions of `T` and of its `Precise`, from the same words.
 struct Same<T>(Vec<(String, Vec<[T; 3]>)>);
 
-impl<T: Float> Visitor<T> for Same<T> {
-    fn planar<L: PlanarPoint<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+impl<T: Number> LawVisitor<T> for Same<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         let mut rng = words::pcg("tiers");
         let draw = |_| {
             let [x, y] = law.sample(&mut rng);
@@ -18,7 +19,8 @@ impl<T: Float> Visitor<T> for Same<T> {
         };
         self.0.push((claim.name, (0..N).map(draw).collect()));
     }
-    fn spatial<L: Spatial<T> + Copy + 'static>(&mut self, claim: Claim, law: L) {
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        let claim = Claim::of(id, &law);
         let mut rng = words::pcg("tiers");
         let draw = |_| Spatial::sample(&law, &mut rng);
         self.0.push((claim.name, (0..N).map(draw).collect()));
@@ -29,13 +31,13 @@ const N: usize = 20_000;
 const EXPONENTS: [f64; 3] = [0.5, 7.3, 1e4];
 
 /// The plain bounds are 4 ulp for each of the two factors of a component, and one rounding.
-fn precise_draws_the_same<T: Float>()
+fn precise_draws_the_same<T: Number>()
 where
-    Precise<T>: Float,
+    Precise<T>: Number,
 {
     let (mut plain, mut precise) = (Same::<T>(Vec::new()), Same::<Precise<T>>(Vec::new()));
-    each(&mut plain, &EXPONENTS);
-    each(&mut precise, &EXPONENTS);
+    every_law(&mut plain, &EXPONENTS);
+    every_law(&mut precise, &EXPONENTS);
     for ((name, a), (_, b)) in plain.0.into_iter().zip(precise.0) {
         for (a, b) in a.into_iter().zip(b) {
             for (a, b) in a.into_iter().zip(b) {

@@ -1,13 +1,11 @@
 //! Uniforms: their intervals, grids and ends, and the azimuth's error.
 #![allow(clippy::incompatible_msrv)] // the MSRV is the core's; tests run on newer toolchains
 
-mod accuracy;
-
-use accuracy::double::Double;
-use accuracy::format::{Format, error_in_ulps};
-use accuracy::wide::Wide;
 use coslobe::uniform::{azimuth_from_bits, tails_from_bits};
 use coslobe::{CosSin, Fast, Precise};
+use kit::accuracy::double::Double;
+use kit::accuracy::format::{Format, error_in_ulps};
+use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 

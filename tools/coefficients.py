@@ -294,8 +294,9 @@ def emit(bits, fits):
         "#![allow(clippy::approx_constant)] // the constants are the point",
         "",
         "use super::pair::Pair;",
-        "use super::table::{Constants, Series, Table};",
+        "use super::table::{Series, Table};",
         "use crate::Moments;",
+        "use crate::arithmetic::constants::Constants;",
         "",
         f"pub(crate) const CONSTANTS: Constants<Pair<{ty}>> = Constants {{",
     ]
@@ -394,14 +395,13 @@ def words(x, n, bits):
 
 def emit_double():
     t = lambda x: text(x, 53)
-    pr = lambda x: "Pair { hi: %s, lo: %s }" % tuple(t(v) for v in pair(x, 53))
+    pr = lambda x: "Double { hi: %s, lo: %s }" % tuple(t(v) for v in pair(x, 53))
     lines = [
         "//! Constants and series of the double-double kernels, written by `python3 tools/coefficients.py`: do not edit.",
         "#![allow(clippy::approx_constant)] // the constants are the point",
         "",
-        "use super::Double;",
+        "use super::arith::Double;",
         "use super::series::Series;",
-        "use crate::arithmetic::native::pair::Pair;",
         "",
     ]
     for name, value, n, bits, doc in DOUBLE_CONSTANTS:

@@ -225,8 +225,8 @@ def tails():
 
 def disk():
     yield "angle_at_tail", 0.5, arb(0)
-    yield "pair_at_tail cos", 0.5, arb(1)
-    yield "pair_at_tail sin", 0.5, arb(0)
+    yield "direction_at_tail cos", 0.5, arb(1)
+    yield "direction_at_tail sin", 0.5, arb(0)
     for p in both(tails()):
         if not exact(p) < exact(0.5):
             continue
@@ -234,18 +234,18 @@ def disk():
         hi = p[0] if isinstance(p, tuple) else p
         yield "angle_at_tail", p, eta if hi < 0.125 else PI / 2 - eta
         c, s = eta.sin(), eta.cos()
-        yield "pair_at_tail cos", p, c
-        yield "pair_at_tail sin", p, s
+        yield "direction_at_tail cos", p, c
+        yield "direction_at_tail sin", p, s
     for t in angles():
         if t < 2.0**-130:
             continue
         for small in both([float(exact(t).sin()) * 0.70710678]):
             x = exact(small)
             large = pair_of((1 - x * x).sqrt())
-            yield "tail_at_pair", small, disk_tail(x.asin()), large
-            yield "tail_at_pair", large, arb(1) / 2 - (x.asin() + x * (1 - x * x).sqrt()) / PI, small
-    yield "tail_at_pair", 1.0, arb(1) / 2, 0.0
-    yield "tail_at_pair", 0.0, arb(0), 1.0
+            yield "tail_at_direction", small, disk_tail(x.asin()), large
+            yield "tail_at_direction", large, arb(1) / 2 - (x.asin() + x * (1 - x * x).sqrt()) / PI, small
+    yield "tail_at_direction", 1.0, arb(1) / 2, 0.0
+    yield "tail_at_direction", 0.0, arb(0), 1.0
 
 
 def two_arguments():

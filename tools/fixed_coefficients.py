@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes src/fixed/kernel/table.rs and src/fixed16/kernel/table.rs: the integer polynomials of the fixed-point laws.
+"""Writes src/fixed/q31/coefficients.rs and src/fixed/q15/coefficients.rs: the integer polynomials of the fixed-point laws.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -15,6 +15,7 @@ Those of the 16-bit type have small sums alone: every product is one of 16 by 16
 
 import subprocess
 import sys
+import textwrap
 
 from coefficients import newton, series_free
 from mpmath import mp, mpf, asin, atanh, cbrt, cos, expm1, ln, pi, sin, sqrt
@@ -34,6 +35,7 @@ def centred(f):
 
 # Three quarters of (1/2)^(2/3) in Q32. Powers of 3/2 z^2 - 0.47 have coefficients below 1/2, and keep the partial sums small.
 KEPLER_MIDDLE = 2029244888
+MIDDLE = ["", "/// 3/4 of (1/2)^(2/3), in Q32.", f"pub(crate) const KEPLER_MIDDLE: u32 = {KEPLER_MIDDLE};"]
 
 
 def kepler(x):
@@ -124,6 +126,12 @@ def sums(c, interval, k):
     return out
 
 
+def documented(doc, interval, k, error):
+    lo, hi = (mp.nstr(mpf(v), 6) for v in interval)
+    text = f"{doc}; x from {lo} to {hi}; Q{k}; error 2^{mp.nstr(error, 4)}"
+    return [f"/// {line}" for line in textwrap.wrap(text, 95)]
+
+
 def write(path, lines):
     with open(path, "w") as out:
         out.write("\n".join(lines) + "\n")
@@ -134,9 +142,11 @@ def short():
     lines = [
         "//! Coefficients, written by `python3 tools/fixed_coefficients.py`: do not edit.",
         "//!",
-        "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
+        "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding",
+        "//! comes on top.",
         "",
         "use crate::fixed::kernel::poly::Polynomial;",
+        *MIDDLE,
     ]
     for name, f, interval, wanted, k, doc in SHORT_SPECS:
         c, error = fit(series_free(f, *interval, n=36), interval, wanted, k)
@@ -151,9 +161,9 @@ def short():
         # The last sum is multiplied too, by its user and without a sign.
         assert all(abs(v) < limit for s in steps[:-1] for v in s), (name, whole)
         assert all(0 < v < 2**16 + 1 for v in steps[-1]), (name, whole)
-        lines += ["", f"/// {doc}; x from {mp.nstr(mpf(interval[0]), 6)} to {mp.nstr(mpf(interval[1]), 6)}; Q{k}; error 2^{mp.nstr(error, 4)}",
+        lines += ["", *documented(doc, interval, k, error),
                   f"pub(crate) const {name}: Polynomial<{kind}, {len(c)}, 0> = Polynomial {{ small: {whole[::-1]}, large: [] }};"]
-    write("src/fixed16/kernel/table.rs", lines)
+    write("src/fixed/q15/coefficients.rs", lines)
 
 
 def main():
@@ -161,12 +171,11 @@ def main():
     lines = [
         "//! Coefficients, written by `python3 tools/fixed_coefficients.py`: do not edit.",
         "//!",
-        "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
+        "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding",
+        "//! comes on top.",
         "",
-        "use super::poly::Polynomial;",
-        "",
-        "/// 3/4 of (1/2)^(2/3), in Q32.",
-        f"pub(crate) const KEPLER_MIDDLE: u32 = {KEPLER_MIDDLE};",
+        "use crate::fixed::kernel::poly::Polynomial;",
+        *MIDDLE,
     ]
     for name, f, interval, wanted, k, doc in SPECS:
         c, error = fit(series_free(f, *interval, n=36), interval, wanted, k)
@@ -193,10 +202,10 @@ def main():
             assert all(abs(v) < top - 2**8 for s in steps for v in s), (name, steps)
             kind = "u32" if name in ALTERNATING else "i32"
         top = whole[::-1]
-        lines += ["", f"/// {doc}; x from {mp.nstr(mpf(interval[0]), 6)} to {mp.nstr(mpf(interval[1]), 6)}; Q{k}; error 2^{mp.nstr(error, 4)}",
+        lines += ["", *documented(doc, interval, k, error),
                   f"pub(crate) const {name}: Polynomial<{kind}, {split}, {len(top) - split}> = "
                   f"Polynomial {{ small: {top[:split]}, large: {top[split:]} }};"]
-    write("src/fixed/kernel/table.rs", lines)
+    write("src/fixed/q31/coefficients.rs", lines)
 
 
 if __name__ == "__main__":

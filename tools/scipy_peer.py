@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Compares SciPy's inverse of the disk's law with coslobe's, and writes docs/scipy.csv.
+"""Compares SciPy's inverse of the disk's law with coslobe's, and writes docs/measured/scipy.csv.
 
     python3 -m venv venv && venv/bin/pip install scipy numpy mpmath
-    cargo build --release --example accuracy_cost
+    cargo build --release -p accuracy_cost
     venv/bin/python tools/scipy_peer.py
 
 The law is SciPy's `cosine` (x = 2θ) and, in sin θ, its `semicircular`. Timed are the distributions'
@@ -93,15 +93,15 @@ def decades(deepest, n, rng):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "target/release/examples/accuracy_cost")
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/scipy.csv")
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "target/release/accuracy_cost")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/measured/scipy.csv")
     parser.add_argument("--elements", type=int, default=1_000_000)
     parser.add_argument("--rounds", type=int, default=9)
     parser.add_argument("--per-decade", type=int, default=200)
     parser.add_argument("--deepest", type=int, default=-40, help="exponent of the last decade of u")
     args = parser.parse_args()
     if not args.program.exists():
-        sys.exit(f"{args.program}: not there; build it by `cargo build --release --example accuracy_cost`")
+        sys.exit(f"{args.program}: not there; build it by `cargo build --release -p accuracy_cost`")
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
 

@@ -1,20 +1,17 @@
 //! The working arithmetic of the laws' formulas.
 
-use super::native::format::Native;
-use super::scalar::Scalar;
-use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
-use crate::arithmetic::native::{atan, cbrt, kepler, power, root, trig, turn};
+use super::constants::Constants;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
-/// An intermediate result with what rounding took from it, as far as the arithmetic cares.
+/// An intermediate result; where the arithmetic keeps it, with what rounding took from it.
 pub trait Wide<W>: Copy {
     fn exact(x: W) -> Self;
     fn value(self) -> W;
     /// The value as far as one number holds it, without arithmetic.
     fn leading(self) -> W;
     /// a + b.
-    fn sum(a: W, b: W) -> Self;
+    fn two_sum(a: W, b: W) -> Self;
     fn neg(self) -> Self;
     /// First-order product: carries the factors' low parts but not the rounding of the product.
     fn times(self, b: Self) -> Self;
@@ -74,9 +71,9 @@ pub trait Kernel: Scalar {
     /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
     fn disk_tail_at_angle(a: Self) -> Self;
     /// Nearer tail of the disk's law, from the smaller of cos θ and |sin θ|.
-    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self;
+    fn disk_tail_at_direction(cos: Self, sin: Self) -> Self;
     /// (cos θ, |sin θ|) of the disk's law at nearer tail p.
-    fn disk_pair_at_tail(p: Self) -> CosSin<Self>;
+    fn disk_direction_at_tail(p: Self) -> CosSin<Self>;
     /// |θ| of the disk's law at nearer tail p.
     fn disk_angle_at_tail(p: Self) -> Self;
 
@@ -99,144 +96,47 @@ pub trait Kernel: Scalar {
     fn power_warp(p: Tails<Self>, n: Self::Wide) -> CosSin<Self>;
 }
 
-impl<T: Native> Wide<T> for Pair<T> {
+/// An arithmetic that keeps nothing beside its numbers, since they have digits to spare or since it
+/// does not aim that high, is its own wide type.
+impl<W: Kernel<Wide = W>> Wide<W> for W {
     #[inline(always)]
-    fn exact(x: T) -> Self {
-        Pair::exact(x)
+    fn exact(x: W) -> W {
+        x
     }
     #[inline(always)]
-    fn value(self) -> T {
-        Pair::value(self)
+    fn value(self) -> W {
+        self
     }
     #[inline(always)]
-    fn leading(self) -> T {
-        self.hi
+    fn leading(self) -> W {
+        self
     }
     #[inline(always)]
-    fn sum(a: T, b: T) -> Self {
-        Pair::sum(a, b)
+    fn two_sum(a: W, b: W) -> W {
+        a + b
     }
     #[inline(always)]
-    fn neg(self) -> Self {
-        Pair::neg(self)
+    fn neg(self) -> W {
+        -self
     }
     #[inline(always)]
-    fn times(self, b: Self) -> Self {
-        Pair::times(self, b)
+    fn times(self, b: W) -> W {
+        self * b
     }
     #[inline(always)]
-    fn mul(self, b: Self) -> Self {
-        Pair::mul(self, b)
+    fn mul(self, b: W) -> W {
+        self * b
     }
     #[inline(always)]
-    fn add(self, b: Self) -> Self {
-        Pair::add(self, b)
+    fn add(self, b: W) -> W {
+        self + b
     }
     #[inline(always)]
-    fn div(self, b: Self) -> Self {
-        Pair::div(self, b)
+    fn div(self, b: W) -> W {
+        self / b
     }
     #[inline(always)]
-    fn sqrt(self) -> T {
-        root::sqrt_pair(self)
-    }
-}
-
-impl<T: Native> Kernel for T {
-    type Wide = Pair<T>;
-
-    const CONSTANTS: Constants<Pair<T>> = <T as Native>::CONSTANTS;
-
-    #[inline(always)]
-    fn sqrt_scaled(a: T, f: impl Fn(T) -> T) -> T {
-        root::sqrt_scaled(a, f)
-    }
-    #[inline(always)]
-    fn cbrt(self) -> T {
-        cbrt::cbrt(self)
-    }
-    #[inline(always)]
-    fn cbrt_wide(self) -> Pair<T> {
-        cbrt::refine(Kernel::cbrt(self), self)
-    }
-    #[inline(always)]
-    fn is_negligible(self) -> bool {
-        self < T::NEGLIGIBLE * T::NEGLIGIBLE
-    }
-    #[inline(always)]
-    fn ln(self) -> T {
-        Native::ln(self)
-    }
-    #[inline(always)]
-    fn ln_cos(at: CosSin<Pair<T>>) -> T {
-        trig::ln_cos(at)
-    }
-    #[inline(always)]
-    fn atan2(self, x: T) -> T {
-        atan::atan2(self, x)
-    }
-    #[inline(always)]
-    fn angle(at: CosSin<T>) -> T {
-        atan::of_pair(at)
-    }
-    #[inline(always)]
-    fn from_end(a: T) -> Pair<T> {
-        trig::from_end(a)
-    }
-    #[inline(always)]
-    fn at_angle(theta: T) -> CosSin<Pair<T>> {
-        trig::at_angle(theta)
-    }
-    #[inline(always)]
-    fn at_angle_fine(theta: T) -> CosSin<Pair<T>> {
-        trig::at_angle_fine(theta)
-    }
-    #[inline(always)]
-    fn at_quadrant(quadrant: u32, x: T) -> CosSin<T> {
-        turn::at_quadrant(quadrant, x)
-    }
-    #[inline(always)]
-    fn at_turn(u: T) -> CosSin<T> {
-        turn::at_turn(u)
-    }
-    #[inline(always)]
-    fn half_turn(p: T) -> CosSin<T> {
-        turn::half_turn(p)
-    }
-    #[inline(always)]
-    fn disk_tail_at_angle(a: T) -> T {
-        kepler::tail_at_angle(a)
-    }
-    #[inline(always)]
-    fn disk_tail_at_pair(cos: T, sin: T) -> T {
-        kepler::tail_at_pair(cos, sin)
-    }
-    #[inline(always)]
-    fn disk_pair_at_tail(p: T) -> CosSin<T> {
-        kepler::pair_at_tail(p)
-    }
-    #[inline(always)]
-    fn disk_angle_at_tail(p: T) -> T {
-        kepler::angle_at_tail(p)
-    }
-    #[inline(always)]
-    fn ln_wide(x: Pair<T>) -> Pair<T> {
-        power::ln(x)
-    }
-    #[inline(always)]
-    fn ln_cos_power(k: Pair<T>, at: CosSin<Pair<T>>) -> Pair<T> {
-        power::ln_cos_power(k, at)
-    }
-    #[inline(always)]
-    fn exp_times(a: Pair<T>, c: Pair<T>) -> T {
-        power::exp_times(a, c)
-    }
-    #[inline(always)]
-    fn one_minus_exp(a: Pair<T>) -> T {
-        power::one_minus_exp(a)
-    }
-    #[inline(always)]
-    fn power_warp(p: Tails<T>, n: Pair<T>) -> CosSin<T> {
-        power::warp(p, n)
+    fn sqrt(self) -> W {
+        Scalar::sqrt(self)
     }
 }

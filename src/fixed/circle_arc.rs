@@ -1,8 +1,9 @@
 //! [`CircleArc`]: θ uniform.
 
 use super::format::Format;
-use super::law::{Tails, Words};
-use super::{planar, words};
+use super::law::Formulas;
+use super::planar;
+use super::tails::Tails;
 use crate::{CircleArc, CosSin};
 use rand_core::Rng;
 
@@ -15,12 +16,12 @@ fn tails(magnitude: u32, sign: i32) -> Tails {
     planar::tails((1 << 31) - (magnitude << 1), sign)
 }
 
-impl<F: Format> Words<F> for CircleArc {
+impl<F: Format> Formulas<F> for CircleArc {
     type Density = F::Probability;
     type Direction = [F::Component; 2];
 
     #[inline]
-    fn pair(self, p: Tails) -> CosSin<i32> {
+    fn warp_tails(self, p: Tails) -> CosSin<i32> {
         let (p, sign) = planar::nearer(p);
         // 2p quarter turns from the end.
         let from_end = if p >> 31 == 0 { p << 1 } else { u32::MAX };
@@ -29,14 +30,14 @@ impl<F: Format> Words<F> for CircleArc {
     }
 
     #[inline]
-    fn turn(self, p: Tails) -> i32 {
+    fn quantile_tails(self, p: Tails) -> i32 {
         let (p, sign) = planar::nearer(p);
         let turn = (1 << 30) - (p.min(1 << 31) >> 1) as i32;
         if sign == 0 { turn } else { -turn }
     }
 
     #[inline]
-    fn tails(self, at: CosSin<i32>) -> Tails {
+    fn unwarp_tails(self, at: CosSin<i32>) -> Tails {
         match planar::above(at) {
             Ok(at) => tails(planar::turn::<F>(at), at.sin),
             Err(outside) => outside,
@@ -44,7 +45,7 @@ impl<F: Format> Words<F> for CircleArc {
     }
 
     #[inline]
-    fn tails_at(self, turn: i32) -> Tails {
+    fn tails(self, turn: i32) -> Tails {
         match planar::magnitude(turn) {
             Ok(magnitude) => tails(magnitude, turn),
             Err(outside) => outside,
@@ -63,9 +64,9 @@ impl<F: Format> Words<F> for CircleArc {
 
     /// One word: its lowest bit is the sign, all of it with that bit set |θ| in quarter turns.
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
+    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
         let word = rng.next_u32();
         let (cos, sin) = F::quarter(word | 1);
-        words::planar::<F>(cos, sin, word << 31)
+        planar::direction::<F>(cos, sin, word << 31)
     }
 }

@@ -1,8 +1,9 @@
 //! [`CircleShell`]: sin θ = 2u − 1.
 
 use super::format::Format;
-use super::law::{Tails, Words};
+use super::law::Formulas;
 use super::planar;
+use super::tails::Tails;
 use crate::{CircleShell, CosSin};
 use rand_core::Rng;
 
@@ -21,26 +22,26 @@ fn tails_of_sine(sin: i32) -> Tails {
     }
 }
 
-impl<F: Format> Words<F> for CircleShell {
+impl<F: Format> Formulas<F> for CircleShell {
     type Density = F::Probability;
     type Direction = [F::Component; 2];
 
     #[inline]
-    fn pair(self, p: Tails) -> CosSin<i32> {
+    fn warp_tails(self, p: Tails) -> CosSin<i32> {
         let (p, sign) = planar::nearer(p);
         let v = if p >> 31 == 0 { p << 1 } else { u32::MAX };
         planar::pair::<F>(F::complement(v), (1 << 31) - p.min(1 << 31), sign)
     }
 
     #[inline]
-    fn turn(self, p: Tails) -> i32 {
-        let at = Words::<F>::pair(self, p);
+    fn quantile_tails(self, p: Tails) -> i32 {
+        let at = Formulas::<F>::warp_tails(self, p);
         let turn = planar::turn::<F>(at) as i32;
         if at.sin < 0 { -turn } else { turn }
     }
 
     #[inline]
-    fn tails(self, at: CosSin<i32>) -> Tails {
+    fn unwarp_tails(self, at: CosSin<i32>) -> Tails {
         match planar::above(at) {
             Ok(at) => tails_of_sine(at.sin),
             Err(outside) => outside,
@@ -48,7 +49,7 @@ impl<F: Format> Words<F> for CircleShell {
     }
 
     #[inline]
-    fn tails_at(self, turn: i32) -> Tails {
+    fn tails(self, turn: i32) -> Tails {
         match planar::magnitude(turn) {
             Ok(_) => tails_of_sine(F::cos_sin(turn as u32).1),
             Err(outside) => outside,
@@ -66,7 +67,7 @@ impl<F: Format> Words<F> for CircleShell {
     }
 
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
+    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
         F::chord(rng)
     }
 }

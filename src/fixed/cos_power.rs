@@ -1,19 +1,22 @@
 //! Real exponents.
 
-use super::kernel::log::{Number, Part, exp2, log2, one_less_exp2};
+use super::kernel::halve;
 use super::kernel::mul::mul_high;
 use super::kernel::normal::{normal, normal_long};
-use super::kernel::recip::half_recip;
-use super::kernel::sqrt::{complement, halve, scaled};
-use super::kernel::turn::ONE;
-use super::law::{Tails, Words};
-use super::q31::Q31;
-use super::{spatial, words};
+use super::law::Formulas;
+use super::q31::log::{Number, Part, exp2, log2, one_less_exp2};
+use super::q31::recip::half_recip;
+use super::q31::sqrt::{complement, scaled};
+use super::q31::turn::ONE;
+use super::q31::{Q31, draw};
+use super::spatial;
+use super::tails::Tails;
 use crate::CosSin;
 use ::fixed::types::{I1F31, U16F16};
 use rand_core::Rng;
 
-/// The law ∝ cosᵏθ of [`CosPower`](crate::CosPower), its exponent k in fixed point from 0 to 65536 − 2⁻¹⁶.
+/// The law ∝ cosᵏθ of [`CosPower`](crate::CosPower), its exponent k in fixed point from 0 to 65536
+/// − 2⁻¹⁶.
 ///
 /// It holds k + 1, 1/(k + 1) and (k + 1)/2π, so that no operation divides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -101,7 +104,8 @@ impl CosPower {
     fn log_of(at: CosSin<i32>) -> Number {
         let (cos, sin) = ((at.cos as u32) << 1, (at.sin as u32) << 1);
         let beside_axis = sin < cos;
-        // cos² = 1 − sin² beside the axis; from √½ down to ½ the cosine is still the greater part of 1.
+        // cos² = 1 − sin² beside the axis; from √½ down to ½ the cosine is still the greater part
+        // of 1.
         let (m, e) = if beside_axis {
             let (m, shift) = normal(sin);
             let (m, more) = normal(mul_high(m, m));
@@ -149,12 +153,12 @@ fn at_turn(turn: i32) -> Result<CosSin<i32>, Tails> {
     spatial::at_turn::<Q31>(turn)
 }
 
-impl Words<Q31> for CosPower {
+impl Formulas<Q31> for CosPower {
     type Density = U16F16;
     type Direction = [I1F31; 3];
 
     #[inline]
-    fn pair(self, p: Tails) -> CosSin<i32> {
+    fn warp_tails(self, p: Tails) -> CosSin<i32> {
         if p.upper == 0 {
             return spatial::pair::<Q31>(0, 1 << 31);
         }
@@ -167,7 +171,7 @@ impl Words<Q31> for CosPower {
     }
 
     #[inline]
-    fn tails(self, at: CosSin<i32>) -> Tails {
+    fn unwarp_tails(self, at: CosSin<i32>) -> Tails {
         if at.sin < 0 {
             return Tails::BELOW;
         }
@@ -189,9 +193,9 @@ impl Words<Q31> for CosPower {
     }
 
     #[inline]
-    fn tails_at(self, turn: i32) -> Tails {
+    fn tails(self, turn: i32) -> Tails {
         match at_turn(turn) {
-            Ok(at) => self.tails(at),
+            Ok(at) => self.unwarp_tails(at),
             Err(outside) => outside,
         }
     }
@@ -214,9 +218,9 @@ impl Words<Q31> for CosPower {
 
     /// cos θ = u^(1/(k+1)) of two words: both tails down to 2⁻⁶⁴.
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
-        let u = words::long(rng) | 1;
+    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
+        let u = draw::long(rng) | 1;
         let (cos, sin) = Self::at_log(self.log_cos(u.wrapping_neg(), u));
-        words::spatial(cos, sin, rng)
+        draw::spatial(cos, sin, rng)
     }
 }

@@ -1,15 +1,17 @@
 //! [`Disk`]: Kepler's equation.
 
 use super::format::Format;
-use super::kernel::cbrt::THIRD;
-use super::law::{Tails, Words};
-use super::{planar, words};
+use super::law::Formulas;
+use super::planar;
+use super::tails::Tails;
 use crate::{CosSin, Disk};
 use rand_core::Rng;
 
 /// 1/π and 2/π in Q32.
 const RECIP_PI: u32 = 1367130551;
 const TWO_OVER_PI: u32 = 2734261102;
+/// 2^(−1/3) in Q32.
+const THIRD: u32 = 3408917802;
 
 #[inline(always)]
 fn lobe<F: Format>(cos: u32) -> u32 {
@@ -23,26 +25,26 @@ fn tails<F: Format>(magnitude: u32, bulge: u32, sign: i32) -> Tails {
     planar::tails(u32::saturating_sub(flat, F::times(bulge, RECIP_PI)), sign)
 }
 
-impl<F: Format> Words<F> for Disk {
+impl<F: Format> Formulas<F> for Disk {
     type Density = F::Probability;
     type Direction = [F::Component; 2];
 
     #[inline]
-    fn pair(self, p: Tails) -> CosSin<i32> {
+    fn warp_tails(self, p: Tails) -> CosSin<i32> {
         let (p, sign) = planar::nearer(p);
         let (sin, cos) = F::quarter(F::from_end(F::cbrt(p))); // from the end they change places
         planar::pair::<F>(cos, sin, sign)
     }
 
     #[inline]
-    fn turn(self, p: Tails) -> i32 {
+    fn quantile_tails(self, p: Tails) -> i32 {
         let (p, sign) = planar::nearer(p);
         let turn = ((1 << 30) - (F::from_end(F::cbrt(p)) >> 2)) as i32;
         if sign == 0 { turn } else { -turn }
     }
 
     #[inline]
-    fn tails(self, at: CosSin<i32>) -> Tails {
+    fn unwarp_tails(self, at: CosSin<i32>) -> Tails {
         match planar::above(at) {
             Ok(at) => {
                 let (cos, sin) = (
@@ -56,7 +58,7 @@ impl<F: Format> Words<F> for Disk {
     }
 
     #[inline]
-    fn tails_at(self, turn: i32) -> Tails {
+    fn tails(self, turn: i32) -> Tails {
         match planar::magnitude(turn) {
             Ok(magnitude) => {
                 tails::<F>(magnitude, F::cos_sin(magnitude << 1).1.max(0) as u32, turn)
@@ -77,9 +79,9 @@ impl<F: Format> Words<F> for Disk {
 
     /// ∛(2p) is the largest of three words, so that no root is taken.
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
+    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
         let (largest, sign) = F::largest_of_three(rng);
         let (sin, cos) = F::quarter(F::from_end(F::times(largest, THIRD)));
-        words::planar::<F>(cos, sin, sign)
+        planar::direction::<F>(cos, sin, sign)
     }
 }

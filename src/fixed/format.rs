@@ -1,17 +1,22 @@
 //! What a word format gives the laws, so that each law is written once.
 
-use ::rand_core::Rng;
+use ::fixed::traits::{FixedSigned, FixedUnsigned};
+use rand_core::Rng;
 
 /// A format of the results and the kernels that are accurate to it. Sealed.
 ///
-/// Inside, all formats share one scale, words of 32 bits: components in Q31, where 2³¹ is 1, all else in Q32.
+/// Inside, all formats share one scale, words of 32 bits: components in Q31, where 2³¹ is 1, all
+/// else in Q32.
 pub trait Format: Copy {
+    /// What the constructor is called.
+    const NAME: &str;
+
     /// A cosine, a sine, a component of a direction.
-    type Component: Copy;
+    type Component: FixedSigned;
     /// A probability; the density of a law without an exponent.
-    type Probability: Copy;
+    type Probability: FixedUnsigned;
     /// An angle in turns.
-    type Turn: Copy;
+    type Turn: Turn<Format = Self>;
 
     /// The smallest word that is not 0 as a result, for a component and for a probability.
     const LEAST: u32;
@@ -25,7 +30,14 @@ pub trait Format: Copy {
 
     /// A magnitude whose component is at most 1 less one unit.
     fn saturated(magnitude: u32) -> u32;
-    /// The same with the sign of `sign`'s top bit.
+    /// A component of [`cos_sin`](Format::cos_sin) such that ±1 saturates when it is rounded.
+    fn clamped(q31: i32) -> i32;
+    /// A component inside the open support: at least one unit, at most 1 less one.
+    #[inline(always)]
+    fn inside(magnitude: u32) -> u32 {
+        Self::saturated(magnitude.max(Self::LEAST))
+    }
+    /// A saturated magnitude with the sign of `sign`'s top bit.
     fn signed(magnitude: u32, sign: u32) -> i32;
     fn mul(a: u32, b: u32) -> u32;
     /// x times a constant, whose rounding costs nothing.
@@ -57,4 +69,10 @@ pub trait Format: Copy {
     fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32);
     /// A direction in the plane with |sin θ| uniform.
     fn chord<R: Rng + ?Sized>(rng: &mut R) -> [Self::Component; 2];
+}
+
+/// An angle in turns, which names its format. Sealed.
+pub trait Turn: Copy {
+    /// The format whose angles these are.
+    type Format: Format<Turn = Self>;
 }

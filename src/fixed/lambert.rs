@@ -1,8 +1,9 @@
 //! [`Lambert`]: cos θ = max(u₁, u₂).
 
 use super::format::Format;
-use super::law::{Tails, Words};
+use super::law::Formulas;
 use super::spatial;
+use super::tails::Tails;
 use crate::{CosSin, Lambert};
 use rand_core::Rng;
 
@@ -14,17 +15,17 @@ fn lobe<F: Format>(cos: u32) -> u32 {
     F::times(cos, RECIP_PI)
 }
 
-impl<F: Format> Words<F> for Lambert {
+impl<F: Format> Formulas<F> for Lambert {
     type Density = F::Probability;
     type Direction = [F::Component; 3];
 
     #[inline]
-    fn pair(self, p: Tails) -> CosSin<i32> {
+    fn warp_tails(self, p: Tails) -> CosSin<i32> {
         spatial::pair::<F>(F::sqrt(p.upper), F::sqrt(p.lower))
     }
 
     #[inline]
-    fn tails(self, at: CosSin<i32>) -> Tails {
+    fn unwarp_tails(self, at: CosSin<i32>) -> Tails {
         match spatial::squares::<F>(at) {
             Ok((upper, lower)) => Tails { lower, upper },
             Err(outside) => outside,
@@ -42,7 +43,7 @@ impl<F: Format> Words<F> for Lambert {
     }
 
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
+    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
         F::lobe::<2, R>(rng)
     }
 }

@@ -1,8 +1,8 @@
 //! What the laws in the plane share: θ from −¼ to ¼ turn, symmetric about 0.
 
 use super::format::Format;
-use super::law::Tails;
 use super::spatial::QUARTER;
+use super::tails::Tails;
 use crate::CosSin;
 
 /// The nearer tail and a word whose top bit is the sign of θ.
@@ -77,4 +77,13 @@ pub(crate) fn pdf<F: Format>(turn: i32, of: impl FnOnce(u32) -> u32) -> F::Proba
         Ok(magnitude) => of((F::cos_sin(magnitude).0 as u32) << 1),
         Err(_) => 0,
     })
+}
+
+/// \[sin θ, cos θ\] inside the open support, sin θ with the sign of `sign`'s top bit.
+#[inline(always)]
+pub(crate) fn direction<F: Format>(cos: u32, sin: u32, sign: u32) -> [F::Component; 2] {
+    [
+        F::component(F::signed(sin, sign)),
+        F::component(F::inside(cos) as i32),
+    ]
 }

@@ -1,7 +1,7 @@
 //! What the laws in space share: θ from 0 to a quarter turn.
 
 use super::format::Format;
-use super::law::Tails;
+use super::tails::Tails;
 use crate::CosSin;
 
 /// A quarter turn.

@@ -1,10 +1,11 @@
 //! [`SphereShell`]: cos θ = max(u₁, u₂, u₃).
 
 use super::format::Format;
+use super::kernel::halve;
 use super::kernel::normal::normal;
-use super::kernel::sqrt::halve;
-use super::law::{Tails, Words};
+use super::law::Formulas;
 use super::spatial;
+use super::tails::Tails;
 use crate::{CosSin, SphereShell};
 use rand_core::Rng;
 
@@ -16,12 +17,12 @@ fn lobe<F: Format>(cos: u32) -> u32 {
     F::times(F::mul(cos, cos), THREE_OVER_TWO_PI)
 }
 
-impl<F: Format> Words<F> for SphereShell {
+impl<F: Format> Formulas<F> for SphereShell {
     type Density = F::Probability;
     type Direction = [F::Component; 3];
 
     #[inline]
-    fn pair(self, p: Tails) -> CosSin<i32> {
+    fn warp_tails(self, p: Tails) -> CosSin<i32> {
         if p.lower == 0 {
             return spatial::pair::<F>(1 << 31, 0);
         }
@@ -37,7 +38,7 @@ impl<F: Format> Words<F> for SphereShell {
     }
 
     #[inline]
-    fn tails(self, at: CosSin<i32>) -> Tails {
+    fn unwarp_tails(self, at: CosSin<i32>) -> Tails {
         match spatial::squares::<F>(at) {
             Ok((square, _)) => Tails::from_upper(F::mul(square, (at.cos as u32) << 1)),
             Err(outside) => outside,
@@ -55,7 +56,7 @@ impl<F: Format> Words<F> for SphereShell {
     }
 
     #[inline]
-    fn draw<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
+    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
         F::lobe::<3, R>(rng)
     }
 }

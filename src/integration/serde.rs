@@ -90,7 +90,7 @@ impl fmt::Display for UnitError {
 fn check_unit<T: Real>(normal: [T; 3]) -> Result<(), UnitError> {
     Frame::new(normal).map_err(UnitError::Normal)?;
     let excess = normal.iter().fold(-T::ONE, |sum, &c| sum + c * c);
-    if excess.abs() <= T::of_base(T::UNIT_SLACK) {
+    if excess.abs() <= T::from_base(T::UNIT_SLACK) {
         Ok(())
     } else {
         Err(UnitError::Length)

@@ -1,10 +1,12 @@
 //! Uniform by volume in a ball.
 
 use super::Spatial;
-use super::formulas::{Fixed, Formulas, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::law::support::{
+    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -79,7 +81,7 @@ impl<W: Kernel> Formulas<W> for Ball {
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
         let p = at.cos * at.cos * at.cos * W::CONSTANTS.two_over_pi.value();
-        spatial_pair(at, p)
+        spatial_direction(at, p)
     }
 
     #[inline]
@@ -95,18 +97,25 @@ impl<W: Kernel> Formulas<W> for Ball {
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = s2 * (W::ONE + c2);
-        spatial_pair_tails(at, Tails::from_both(lower, c2 * c2))
+        spatial_direction_tails(at, Tails::from_both(lower, c2 * c2))
     }
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, W::HALF / (at.cos * at.cos))
+        spatial_direction(at, W::HALF / (at.cos * at.cos))
+    }
+
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        let c = W::at_angle(theta).cos;
+        let p = c.times(c).times(c.times(W::CONSTANTS.two_over_pi)).value();
+        within(theta, spatial(theta), p, W::ZERO)
     }
 }
 
 impl Own for Ball {}
 
-impl Fixed for Ball {
+impl Parameterless for Ball {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.ball_moments
@@ -117,11 +126,9 @@ impl<T: Real> Tangent<T> for Ball {
     const MEASURE: Measure = Measure::Volume;
 }
 
-impl<W: Kernel> SolidAngle<W> for Ball {
+impl<T: Real> Spatial<T> for Ball {
     #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
-        let c = W::at_angle(theta).cos;
-        let p = c.times(c).times(c.times(W::CONSTANTS.two_over_pi)).value();
-        within(theta, spatial(theta), p, W::ZERO)
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
     }
 }

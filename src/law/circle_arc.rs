@@ -1,10 +1,10 @@
 //! Uniform by arc length on a circle.
 
 use super::Planar;
-use super::formulas::{Fixed, Formulas, Own};
+use super::formulas::{Formulas, Own, Parameterless};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{planar, planar_pair, within};
+use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -71,7 +71,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
-        planar_pair(at, W::CONSTANTS.recip_pi.value())
+        planar_direction(at, W::CONSTANTS.recip_pi.value())
     }
 
     #[inline]
@@ -92,7 +92,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         } else {
             W::HALF - sin.atan2(at.cos) * recip_pi
         };
-        Tails::from_nearer(planar_pair(at, p), at.sin > W::ZERO)
+        Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
     #[inline]
@@ -105,13 +105,13 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        planar_pair(at, W::CONSTANTS.half_pi.value() * at.cos)
+        planar_direction(at, W::CONSTANTS.half_pi.value() * at.cos)
     }
 }
 
 impl Own for CircleArc {}
 
-impl Fixed for CircleArc {
+impl Parameterless for CircleArc {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.circle_arc_moments

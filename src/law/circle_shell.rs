@@ -1,10 +1,10 @@
 //! Uniform by radial thickness on a circle: the paper's circle, and the flat world's Lambert law.
 
 use super::Planar;
-use super::formulas::{Fixed, Formulas, Own};
+use super::formulas::{Formulas, Own, Parameterless};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{planar, planar_pair, within};
+use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -73,7 +73,7 @@ impl<W: Kernel> Formulas<W> for CircleShell {
 
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
-        planar_pair(at, at.cos * W::HALF)
+        planar_direction(at, at.cos * W::HALF)
     }
 
     #[inline]
@@ -97,18 +97,18 @@ impl<W: Kernel> Formulas<W> for CircleShell {
         } else {
             (W::ONE - sin) * W::HALF
         };
-        Tails::from_nearer(planar_pair(at, p), at.sin > W::ZERO)
+        Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        planar_pair(at, W::ONE)
+        planar_direction(at, W::ONE)
     }
 }
 
 impl Own for CircleShell {}
 
-impl Fixed for CircleShell {
+impl Parameterless for CircleShell {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.circle_shell_moments

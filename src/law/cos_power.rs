@@ -1,14 +1,16 @@
 //! Real exponents: the Phong lobe.
 
 use super::Spatial;
-use super::formulas::{Formulas, In, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Phases, pdf_solid_angle};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::moment::cosine_integrals;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::power::ln;
-use crate::arithmetic::tier::Holds;
-use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::law::support::{
+    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+};
 use crate::number::Real;
 use crate::{CosSin, Moments, Tails};
 use core::fmt;
@@ -105,7 +107,7 @@ impl<W: Kernel> CosPower<W> {
     /// k + 1, exactly.
     #[inline(always)]
     fn successor(&self) -> W::Wide {
-        W::Wide::sum(self.exponent, W::ONE)
+        W::Wide::two_sum(self.exponent, W::ONE)
     }
 
     /// (k+1) cosᵏθ/(2π) times `factor`.
@@ -175,7 +177,7 @@ impl<W: Kernel> Formulas<W> for CosPower<W> {
 
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, self.lobe(exact(at), W::Wide::exact(W::ONE)))
+        spatial_direction(at, self.lobe(exact(at), W::Wide::exact(W::ONE)))
     }
 
     /// cos θ = (1 − u)^(1/(k+1)).
@@ -186,12 +188,12 @@ impl<W: Kernel> Formulas<W> for CosPower<W> {
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
-        spatial_pair_tails(at, self.tails_at(exact(at)))
+        spatial_direction_tails(at, self.tails_at(exact(at)))
     }
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        let k = W::Wide::sum(self.exponent, -W::ONE);
+        let k = W::Wide::two_sum(self.exponent, -W::ONE);
         let scale = W::Wide::exact(W::int(2)).div(self.successor());
         let weight = if at.cos > W::ZERO {
             W::exp_times(W::ln_cos_power(k.neg(), exact(at)), scale)
@@ -202,13 +204,11 @@ impl<W: Kernel> Formulas<W> for CosPower<W> {
         } else {
             W::ZERO
         };
-        spatial_pair(at, weight)
+        spatial_direction(at, weight)
     }
-}
 
-impl<W: Kernel> SolidAngle<W> for CosPower<W> {
     #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
+    fn density_at(&self, theta: W) -> W {
         let p = self.lobe(W::at_angle_fine(theta), W::Wide::exact(W::ONE));
         within(theta, spatial(theta), p, W::ZERO)
     }
@@ -216,31 +216,31 @@ impl<W: Kernel> SolidAngle<W> for CosPower<W> {
 
 impl<T> Own for CosPower<T> {}
 
-impl<T: Real> In<T> for CosPower<T> {
+impl<T: Real> Phases<T> for CosPower<T> {
     type Quick = CosPower<T::Quick>;
-    type Work = CosPower<T::Work>;
+    type Accurate = CosPower<T::Accurate>;
 
     #[inline(always)]
     fn quick(&self) -> CosPower<T::Quick> {
         CosPower {
-            exponent: T::Quick::of(self.exponent),
+            exponent: T::Quick::from_number(self.exponent),
         }
     }
 
     #[inline(always)]
-    fn work(&self) -> CosPower<T::Work> {
+    fn accurate(&self) -> CosPower<T::Accurate> {
         CosPower {
-            exponent: T::Work::of(self.exponent),
+            exponent: T::Accurate::from_number(self.exponent),
         }
     }
 
     fn moments(&self) -> Moments<T> {
-        moments(self.exponent.to_base()).map(T::of_base)
+        moments(self.exponent.to_base()).map(T::from_base)
     }
 }
 
 fn moments<B: Native>(k: B) -> Moments<B> {
-    let next = Pair::sum(k, B::ONE);
+    let next = Pair::two_sum(k, B::ONE);
     let mean_cos = next.hi / (k + B::int(2));
     let (mean_theta, weighted) = cosine_integrals(next.hi);
     let entropy = <B as Native>::CONSTANTS
@@ -253,5 +253,12 @@ fn moments<B: Native>(k: B) -> Moments<B> {
         mean_theta,
         var_theta: weighted + weighted - mean_theta * mean_theta,
         entropy: entropy.value(),
+    }
+}
+
+impl<T: Real> Spatial<T> for CosPower<T> {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
     }
 }

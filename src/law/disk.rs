@@ -1,10 +1,10 @@
 //! Uniform by area in a disk.
 
 use super::Planar;
-use super::formulas::{Fixed, Formulas, Own};
+use super::formulas::{Formulas, Own, Parameterless};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{planar, planar_pair, within};
+use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -73,13 +73,13 @@ impl<W: Kernel> Formulas<W> for Disk {
     fn density(&self, at: CosSin<W>) -> W {
         let c2 = at.cos * at.cos;
         let p = c2 * W::CONSTANTS.two_over_pi.value();
-        planar_pair(at, p)
+        planar_direction(at, p)
     }
 
     #[inline]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_lower) = p.nearer();
-        let CosSin { cos, sin } = W::disk_pair_at_tail(p);
+        let CosSin { cos, sin } = W::disk_direction_at_tail(p);
         CosSin {
             cos,
             sin: sin.negate_if_odd(is_lower),
@@ -88,8 +88,8 @@ impl<W: Kernel> Formulas<W> for Disk {
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
-        let p = W::disk_tail_at_pair(at.cos, at.sin.abs());
-        Tails::from_nearer(planar_pair(at, p), at.sin > W::ZERO)
+        let p = W::disk_tail_at_direction(at.cos, at.sin.abs());
+        Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
     #[inline]
@@ -100,13 +100,13 @@ impl<W: Kernel> Formulas<W> for Disk {
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        planar_pair(at, W::CONSTANTS.pi.value() * W::QUARTER / at.cos.abs())
+        planar_direction(at, W::CONSTANTS.pi.value() * W::QUARTER / at.cos.abs())
     }
 }
 
 impl Own for Disk {}
 
-impl Fixed for Disk {
+impl Parameterless for Disk {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.disk_moments

@@ -3,15 +3,16 @@
 //! A law's file writes each formula once, on [`Kernel`]. Here the formulas run in the arithmetic
 //! of a number type's tier, and their results are rounded to it.
 
-use super::{Law, Spatial};
+use super::Law;
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::tier::{Holds, Margin};
-use crate::law::select::into_support;
+use crate::law::support::into_support;
 use crate::number::Real;
+use crate::number::tier::Margin;
 use crate::{CosSin, Moments, Tails};
 
-/// What [`Law`] promises, in working arithmetic.
+/// What [`Law`] promises, in an arithmetic W.
 pub trait Formulas<W: Kernel> {
     fn pdf(&self, theta: W) -> W;
     fn ln_pdf(&self, theta: W) -> W;
@@ -21,40 +22,58 @@ pub trait Formulas<W: Kernel> {
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W>;
     fn lambert_weight(&self, at: CosSin<W>) -> W;
 
+    /// As [`density`](Formulas::density), at θ: in the plane that is the pdf.
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        self.pdf(theta)
+    }
+
     #[inline]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         W::angle(self.warp_tails(p))
     }
 }
 
-/// What [`Spatial`] adds to [`Law`].
-pub trait SolidAngle<W: Kernel>: Formulas<W> {
-    fn pdf_solid_angle(&self, theta: W) -> W;
-}
-
-/// A law of this crate. Without a parameter, so that a law of another crate can be seen to be none.
+/// A law of this crate, for which [`Law`] is implemented below.
+///
+/// It stands beside [`Phases`] because it has no parameter: when another crate writes
+/// `impl<T: Real> Law<T> for Mine`, the compiler must see that the blanket implementation does not
+/// cover `Mine`. With `Phases<T>` alone it cannot, and refuses: a third crate might implement
+/// `Phases` of a number type of its own for `Mine` (E0119).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law",
+    label = "not a law of directions",
+    note = "the laws are Disk, CircleShell, CircleArc, Ball, SphereShell, Lambert and CosPower; \
+            one of your own implements `coslobe::Law`"
+)]
 pub trait Own {}
 
-/// A law without parameters, and its exact moments.
-pub trait Fixed: Own + Copy {
+/// A law without a parameter, which is the same in every arithmetic.
+pub trait Parameterless: Own + Copy {
+    /// Exact moments.
     fn moments<B: Native>() -> Moments<B>;
 }
 
-/// A law as the arithmetics of a number type see it.
-pub trait In<T: Real> {
+/// A law in the two phases of a number type.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the number type `{T}`",
+    label = "no law in `{T}`",
+    note = "a law with a parameter, such as CosPower, works in the number type of its parameter"
+)]
+pub trait Phases<T: Real> {
     type Quick: Formulas<T::Quick>;
-    type Work: Formulas<T::Work>;
+    type Accurate: Formulas<T::Accurate>;
     fn quick(&self) -> Self::Quick;
-    fn work(&self) -> Self::Work;
+    fn accurate(&self) -> Self::Accurate;
     fn moments(&self) -> Moments<T>;
 }
 
-impl<T: Real, L> In<T> for L
+impl<T: Real, L> Phases<T> for L
 where
-    L: Fixed + Formulas<T::Quick> + Formulas<T::Work>,
+    L: Parameterless + Formulas<T::Quick> + Formulas<T::Accurate>,
 {
     type Quick = L;
-    type Work = L;
+    type Accurate = L;
 
     #[inline(always)]
     fn quick(&self) -> L {
@@ -62,23 +81,23 @@ where
     }
 
     #[inline(always)]
-    fn work(&self) -> L {
+    fn accurate(&self) -> L {
         *self
     }
 
     #[inline]
     fn moments(&self) -> Moments<T> {
-        L::moments::<T::Base>().map(T::of_base)
+        L::moments::<T::Base>().map(T::from_base)
     }
 }
 
-impl<T: Real, L: Own + In<T>> Law<T> for L {
+impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     #[inline]
     fn pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,
-            || [self.quick().pdf(Holds::of(theta))],
-            || [self.work().pdf(Holds::of(theta))],
+            || [self.quick().pdf(Holds::from_number(theta))],
+            || [self.accurate().pdf(Holds::from_number(theta))],
         );
         p
     }
@@ -87,18 +106,18 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn ln_pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::OfOne,
-            || [self.quick().ln_pdf(Holds::of(theta))],
-            || [self.work().ln_pdf(Holds::of(theta))],
+            || [self.quick().ln_pdf(Holds::from_number(theta))],
+            || [self.accurate().ln_pdf(Holds::from_number(theta))],
         );
         p
     }
 
     #[inline]
     fn tails(&self, theta: T) -> Tails<T> {
-        Tails::of_array(T::rounded(
+        Tails::from_array(T::rounded(
             Margin::Relative,
-            || self.quick().tails(Holds::of(theta)).to_array(),
-            || self.work().tails(Holds::of(theta)).to_array(),
+            || self.quick().tails(Holds::from_number(theta)).to_array(),
+            || self.accurate().tails(Holds::from_number(theta)).to_array(),
         ))
     }
 
@@ -106,31 +125,35 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn density(&self, at: CosSin<T>) -> T {
         let [p] = T::rounded(
             Margin::Relative,
-            || [self.quick().density(Holds::of_pair(at))],
-            || [self.work().density(Holds::of_pair(at))],
+            || [self.quick().density(Holds::from_components(at))],
+            || [self.accurate().density(Holds::from_components(at))],
         );
         p
     }
 
     #[inline]
     fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
-        CosSin::of_array(T::rounded(
+        CosSin::from_array(T::rounded(
             Margin::Relative,
-            || self.quick().warp_tails(Holds::of_tails(p)).to_array(),
-            || self.work().warp_tails(Holds::of_tails(p)).to_array(),
+            || self.quick().warp_tails(Holds::from_tails(p)).to_array(),
+            || self.accurate().warp_tails(Holds::from_tails(p)).to_array(),
         ))
     }
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
-        Tails::of_array(T::rounded(
+        Tails::from_array(T::rounded(
             Margin::Relative,
             || {
                 self.quick()
-                    .unwarp_tails(Holds::of_direction(at))
+                    .unwarp_tails(Holds::from_direction(at))
                     .to_array()
             },
-            || self.work().unwarp_tails(Holds::of_direction(at)).to_array(),
+            || {
+                self.accurate()
+                    .unwarp_tails(Holds::from_direction(at))
+                    .to_array()
+            },
         ))
     }
 
@@ -138,8 +161,8 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn quantile_tails(&self, p: Tails<T>) -> T {
         let [theta] = T::rounded(
             Margin::Relative,
-            || [self.quick().quantile_tails(Holds::of_tails(p))],
-            || [self.work().quantile_tails(Holds::of_tails(p))],
+            || [self.quick().quantile_tails(Holds::from_tails(p))],
+            || [self.accurate().quantile_tails(Holds::from_tails(p))],
         );
         into_support(theta)
     }
@@ -148,30 +171,25 @@ impl<T: Real, L: Own + In<T>> Law<T> for L {
     fn lambert_weight(&self, at: CosSin<T>) -> T {
         let [weight] = T::rounded(
             Margin::Relative,
-            || [self.quick().lambert_weight(Holds::of_pair(at))],
-            || [self.work().lambert_weight(Holds::of_pair(at))],
+            || [self.quick().lambert_weight(Holds::from_components(at))],
+            || [self.accurate().lambert_weight(Holds::from_components(at))],
         );
         weight
     }
 
     #[inline]
     fn moments(&self) -> Moments<T> {
-        In::moments(self)
+        Phases::moments(self)
     }
 }
 
-impl<T: Real, L: Own + In<T>> Spatial<T> for L
-where
-    L::Quick: SolidAngle<T::Quick>,
-    L::Work: SolidAngle<T::Work>,
-{
-    #[inline]
-    fn pdf_solid_angle(&self, theta: T) -> T {
-        let [p] = T::rounded(
-            Margin::Relative,
-            || [self.quick().pdf_solid_angle(Holds::of(theta))],
-            || [self.work().pdf_solid_angle(Holds::of(theta))],
-        );
-        p
-    }
+/// [`Spatial::pdf_solid_angle`](super::Spatial::pdf_solid_angle) of a law of this crate.
+#[inline]
+pub(crate) fn pdf_solid_angle<T: Real, L: Own + Phases<T>>(law: &L, theta: T) -> T {
+    let [p] = T::rounded(
+        Margin::Relative,
+        || [law.quick().density_at(Holds::from_number(theta))],
+        || [law.accurate().density_at(Holds::from_number(theta))],
+    );
+    p
 }

@@ -1,10 +1,12 @@
 //! Uniform by area on a sphere: Lambert's cosine law.
 
 use super::Spatial;
-use super::formulas::{Fixed, Formulas, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::law::support::{
+    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -73,7 +75,7 @@ impl<W: Kernel> Formulas<W> for Lambert {
 
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, at.cos * W::CONSTANTS.recip_pi.value())
+        spatial_direction(at, at.cos * W::CONSTANTS.recip_pi.value())
     }
 
     #[inline]
@@ -87,18 +89,24 @@ impl<W: Kernel> Formulas<W> for Lambert {
     #[inline]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
-        spatial_pair_tails(at, Tails::from_both(s2, c2))
+        spatial_direction_tails(at, Tails::from_both(s2, c2))
     }
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, W::ONE)
+        spatial_direction(at, W::ONE)
+    }
+
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        let p = W::at_angle(theta).cos.times(W::CONSTANTS.recip_pi).value();
+        within(theta, spatial(theta), p, W::ZERO)
     }
 }
 
 impl Own for Lambert {}
 
-impl Fixed for Lambert {
+impl Parameterless for Lambert {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.lambert_moments
@@ -109,10 +117,9 @@ impl<T: Real> Tangent<T> for Lambert {
     const MEASURE: Measure = Measure::SurfaceArea;
 }
 
-impl<W: Kernel> SolidAngle<W> for Lambert {
+impl<T: Real> Spatial<T> for Lambert {
     #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
-        let p = W::at_angle(theta).cos.times(W::CONSTANTS.recip_pi).value();
-        within(theta, spatial(theta), p, W::ZERO)
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
     }
 }

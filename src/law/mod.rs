@@ -7,8 +7,8 @@ mod cos_power;
 mod disk;
 mod formulas;
 mod lambert;
-mod select;
 mod sphere_shell;
+mod support;
 
 pub use ball::Ball;
 pub use circle_arc::CircleArc;
@@ -18,11 +18,12 @@ pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
 pub use sphere_shell::SphereShell;
 
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
-use crate::arithmetic::tier::{Holds, Margin};
-use crate::law::select::into_support;
+use crate::law::support::into_support;
 use crate::number::Real;
-use crate::{CosSin, Frame, Moments, Tails, uniform};
+use crate::number::tier::Margin;
+use crate::{CosSin, Frame, Moments, Sample, Tails, uniform};
 use rand_core::Rng;
 
 /// What every law can tell of the angle θ from the axis +y, in radians.
@@ -72,8 +73,8 @@ pub trait Law<T: Real> {
         let at = self.warp_tails(p);
         let [theta] = T::rounded(
             Margin::Relative,
-            || [T::Quick::angle(Holds::of_pair(at))],
-            || [T::Work::angle(Holds::of_pair(at))],
+            || [T::Quick::angle(Holds::from_components(at))],
+            || [T::Accurate::angle(Holds::from_components(at))],
         );
         into_support(theta)
     }
@@ -140,6 +141,18 @@ pub trait Planar<T: Real>: Law<T> {
         let CosSin { cos, sin } = self.warp_tails(uniform::tails(rng));
         [sin, cos]
     }
+
+    /// Draws the direction of [`sample`](Planar::sample) with its cosine, sine and density: the
+    /// same words, the same bits.
+    #[inline]
+    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 2> {
+        let at = self.warp_tails(uniform::tails(rng));
+        Sample {
+            direction: [at.sin, at.cos],
+            at,
+            density: self.density(at),
+        }
+    }
 }
 
 /// Laws of a direction in space, uniform in azimuth.
@@ -157,7 +170,26 @@ pub trait Spatial<T: Real>: Law<T> {
         spherical(at, uniform::azimuth(rng))
     }
 
-    /// Draws a direction around the unit vector `normal`. Randomness as [`sample`](Spatial::sample).
+    /// Draws the direction of [`sample`](Spatial::sample) with its cosine, sine and density: the
+    /// same words, the same bits.
+    #[inline]
+    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
+        let at = self.warp_tails(uniform::tails(rng));
+        Sample {
+            direction: spherical(at, uniform::azimuth(rng)),
+            at,
+            density: self.density(at),
+        }
+    }
+
+    /// Draws a direction around the unit vector `normal`.
+    ///
+    /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
+    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may lose its
+    /// sign, so that a direction beside the horizon can come out on the surface or below it: weigh
+    /// it by the cosine and density of
+    /// [`sample_around_with_density`](Spatial::sample_around_with_density).
+    /// Randomness as [`sample`](Spatial::sample).
     ///
     /// ```
     /// # use coslobe::{Lambert, Spatial};
@@ -168,6 +200,18 @@ pub trait Spatial<T: Real>: Law<T> {
     #[inline]
     fn sample_around<R: Rng + ?Sized>(&self, normal: [T; 3], rng: &mut R) -> [T; 3] {
         Frame::from_unit(normal).to_world(Spatial::sample(self, rng))
+    }
+
+    /// Draws the direction of [`sample_around`](Spatial::sample_around) with the cosine, sine and
+    /// density that it was drawn with: the same words, the same bits.
+    #[inline]
+    fn sample_around_with_density<R: Rng + ?Sized>(
+        &self,
+        normal: [T; 3],
+        rng: &mut R,
+    ) -> Sample<T, 3> {
+        let frame = Frame::from_unit(normal);
+        Spatial::sample_with_density(self, rng).rotated(|d| frame.to_world(d))
     }
 
     /// The direction at cdf of θ = `u[0]` and azimuth φ = `u[1]` turns: for stratified or
@@ -181,10 +225,10 @@ pub trait Spatial<T: Real>: Law<T> {
                 sin: turn,
             }
         } else {
-            CosSin::of_array(T::rounded(
+            CosSin::from_array(T::rounded(
                 Margin::Relative,
-                || T::Quick::at_turn(Holds::of(turn)).to_array(),
-                || T::Work::at_turn(Holds::of(turn)).to_array(),
+                || T::Quick::at_turn(Holds::from_number(turn)).to_array(),
+                || T::Accurate::at_turn(Holds::from_number(turn)).to_array(),
             ))
         };
         spherical(self.warp(u[0]), azimuth)
@@ -200,8 +244,13 @@ pub trait Spatial<T: Real>: Law<T> {
         };
         let [turn] = T::rounded(
             Margin::Relative,
-            || [turns(Holds::of(d[2]), Holds::of(d[0]))],
-            || [turns::<T::Work>(Holds::of(d[2]), Holds::of(d[0]))],
+            || [turns(Holds::from_number(d[2]), Holds::from_number(d[0]))],
+            || {
+                [turns::<T::Accurate>(
+                    Holds::from_number(d[2]),
+                    Holds::from_number(d[0]),
+                )]
+            },
         );
         let turn = if turn < T::ZERO { turn + T::ONE } else { turn };
         // A negative turn smaller than half an ulp of 1 rounds to 1, which is 0 again.

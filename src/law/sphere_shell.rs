@@ -1,10 +1,12 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
 use super::Spatial;
-use super::formulas::{Fixed, Formulas, Own, SolidAngle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
-use crate::law::select::{spatial, spatial_pair, spatial_pair_tails, spatial_tails, within};
+use crate::law::support::{
+    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+};
 use crate::number::Real;
 use crate::{CosSin, Measure, Moments, Tails, Tangent};
 use rand_core::Rng;
@@ -81,7 +83,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
         let p = at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value();
-        spatial_pair(at, p)
+        spatial_direction(at, p)
     }
 
     #[inline]
@@ -98,7 +100,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = lower_tail(at.cos, s2);
-        spatial_pair_tails(at, Tails::from_both(lower, c2 * at.cos.abs()))
+        spatial_direction_tails(at, Tails::from_both(lower, c2 * at.cos.abs()))
     }
 
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
@@ -118,13 +120,20 @@ impl<W: Kernel> Formulas<W> for SphereShell {
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        spatial_pair(at, W::int(2) / (W::int(3) * at.cos.abs()))
+        spatial_direction(at, W::int(2) / (W::int(3) * at.cos.abs()))
+    }
+
+    #[inline]
+    fn density_at(&self, theta: W) -> W {
+        let c = W::at_angle(theta).cos;
+        let p = c.times(c).times(W::CONSTANTS.three_over_two_pi).value();
+        within(theta, spatial(theta), p, W::ZERO)
     }
 }
 
 impl Own for SphereShell {}
 
-impl Fixed for SphereShell {
+impl Parameterless for SphereShell {
     #[inline]
     fn moments<B: Native>() -> Moments<B> {
         B::TABLE.sphere_shell_moments
@@ -135,17 +144,15 @@ impl<T: Real> Tangent<T> for SphereShell {
     const MEASURE: Measure = Measure::SphereShell;
 }
 
-impl<W: Kernel> SolidAngle<W> for SphereShell {
-    #[inline]
-    fn pdf_solid_angle(&self, theta: W) -> W {
-        let c = W::at_angle(theta).cos;
-        let p = c.times(c).times(W::CONSTANTS.three_over_two_pi).value();
-        within(theta, spatial(theta), p, W::ZERO)
-    }
-}
-
 /// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.
 #[inline(always)]
 fn lower_tail<W: Kernel>(cos: W, sin_squared: W) -> W {
     sin_squared * (W::ONE + cos + cos * cos) / (W::ONE + cos)
+}
+
+impl<T: Real> Spatial<T> for SphereShell {
+    #[inline]
+    fn pdf_solid_angle(&self, theta: T) -> T {
+        pdf_solid_angle(self, theta)
+    }
 }

@@ -1,191 +1,36 @@
-//! `f32`: native single precision; no operation touches `f64`.
+//! `f32` as a number type: its formulas run in its own arithmetic, and nothing is rounded after them.
 
 use super::Real;
-use crate::arithmetic::native::coefficients_f32::{CONSTANTS, TABLE};
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::{Constants, Table};
-use crate::arithmetic::native::turn::{at_quadrant, merge_if_odd};
+use crate::arithmetic::holds::Holds;
+use crate::arithmetic::native::f32::power_of_two;
+use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f32 as uniform;
-use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::{Holds, Margin, Tier};
+use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
-const fn power_of_two(n: i32) -> f32 {
-    f32::from_bits(((127 + n) as u32) << 23)
-}
-
 impl Real for f32 {}
-
-impl Scalar for f32 {
-    const ZERO: f32 = 0.0;
-    const QUARTER: f32 = 0.25;
-    const HALF: f32 = 0.5;
-    const ONE: f32 = 1.0;
-    const INFINITY: f32 = f32::INFINITY;
-    const NAN: f32 = f32::NAN;
-    const MIN_NORMAL: f32 = f32::MIN_POSITIVE;
-    const MAX: f32 = f32::MAX;
-    // FRAC_PI_2 as f32 lies 4.4e-8 beyond π/2.
-    const HALF_PI_DOWN: f32 = f32::from_bits(core::f32::consts::FRAC_PI_2.to_bits() - 1);
-
-    #[inline(always)]
-    fn int(n: i16) -> f32 {
-        f32::from(n)
-    }
-
-    #[inline(always)]
-    fn is_nan(self) -> bool {
-        f32::is_nan(self)
-    }
-
-    #[inline(always)]
-    fn is_finite(self) -> bool {
-        f32::is_finite(self)
-    }
-
-    #[inline(always)]
-    fn abs(self) -> f32 {
-        f32::abs(self)
-    }
-
-    #[inline(always)]
-    fn sign_bit(self) -> u32 {
-        self.to_bits() >> 31
-    }
-
-    #[inline(always)]
-    fn swap_if_odd(n: u32, a: f32, b: f32) -> (f32, f32) {
-        let difference = (a.to_bits() ^ b.to_bits()) & (n & 1).wrapping_neg();
-        (
-            f32::from_bits(a.to_bits() ^ difference),
-            f32::from_bits(b.to_bits() ^ difference),
-        )
-    }
-
-    #[inline(always)]
-    fn swap_factors_if_odd(n: u32, a: f32, b: f32) -> (f32, f32) {
-        let (a, b) = merge_if_odd(n, a.to_bits(), b.to_bits());
-        (f32::from_bits(a), f32::from_bits(b))
-    }
-
-    #[inline(always)]
-    fn negate_if_odd(self, n: u32) -> f32 {
-        f32::from_bits(self.to_bits() ^ (n << (u32::BITS - 1)))
-    }
-
-    #[inline(always)]
-    fn copysign(self, sign: f32) -> f32 {
-        f32::copysign(self, sign)
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> f32 {
-        libm::sqrtf(self)
-    }
-}
-
-impl Native for f32 {
-    const CONSTANTS: Constants<Pair<f32>> = CONSTANTS;
-    const TABLE: Table<f32> = TABLE;
-    const NEGLIGIBLE: f32 = power_of_two(-18);
-    const ROOT_UP: f32 = power_of_two(24);
-    const ROOT_DOWN: f32 = power_of_two(-12);
-    const CBRT_UP: f32 = power_of_two(60);
-    const CBRT_DOWN: f32 = power_of_two(-20);
-    const CBRT_STEPS: usize = 0;
-    const CBRT_THIRD: f32 = 1.0 / 3.0;
-    const CBRT_SECOND: f32 = 2.0 / 9.0;
-    const CBRT_FOURTH: f32 = 14.0 / 81.0;
-    const CBRT_RAISE: f32 = 1.0 + power_of_two(-12);
-
-    #[inline(always)]
-    fn to_u32(self) -> u32 {
-        self as u32
-    }
-
-    #[inline(always)]
-    fn to_i32(self) -> i32 {
-        self as i32
-    }
-
-    #[inline(always)]
-    fn of_i32(n: i32) -> f32 {
-        n as f32
-    }
-
-    #[inline]
-    fn ln(self) -> f32 {
-        libm::logf(self)
-    }
-
-    #[inline]
-    fn ln_1p(self) -> f32 {
-        libm::log1pf(self)
-    }
-
-    #[inline]
-    fn exp(self) -> f32 {
-        libm::expf(self)
-    }
-
-    #[inline]
-    fn exp_m1(self) -> f32 {
-        libm::expm1f(self)
-    }
-
-    #[inline]
-    fn scale(self, n: i32) -> f32 {
-        libm::scalbnf(self, n)
-    }
-
-    #[inline]
-    fn split(self) -> (f32, i32) {
-        let tiny = self < f32::MIN_POSITIVE;
-        let x = if tiny { self * power_of_two(24) } else { self };
-        let shift = if tiny { -24 } else { 0 };
-        // Exponent of x/√½, so that the significand runs from √½ to √2.
-        let e = (x
-            .to_bits()
-            .wrapping_sub(core::f32::consts::FRAC_1_SQRT_2.to_bits()) as i32)
-            >> 23;
-        let m = f32::from_bits(x.to_bits().wrapping_sub((e << 23) as u32));
-        (m, e + shift)
-    }
-
-    #[inline(always)]
-    fn leading_half(self) -> f32 {
-        f32::from_bits(self.to_bits() & !0xFFF)
-    }
-
-    #[inline(always)]
-    fn cbrt_recip_guess(self) -> f32 {
-        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
-        f32::from_bits(0x54A2_1000_u32.wrapping_sub(self.to_bits() / 3))
-    }
-}
 
 impl Holds<f32> for f32 {
     #[inline(always)]
-    fn of(x: f32) -> f32 {
+    fn from_number(x: f32) -> f32 {
         x
     }
 
     #[inline(always)]
-    fn of_tails(p: Tails<f32>) -> Tails<f32> {
+    fn from_tails(p: Tails<f32>) -> Tails<f32> {
         p
     }
 
     #[inline(always)]
-    fn of_direction(at: CosSin<f32>) -> CosSin<f32> {
+    fn from_direction(at: CosSin<f32>) -> CosSin<f32> {
         at
     }
 }
 
 impl Tier for f32 {
     type Quick = f32;
-    type Work = f32;
+    type Accurate = f32;
     type Base = f32;
 
     const UNIT_SLACK: f32 = power_of_two(-18);
@@ -196,9 +41,9 @@ impl Tier for f32 {
     fn rounded<const N: usize>(
         _: Margin,
         _: impl FnOnce() -> [f32; N],
-        fine: impl FnOnce() -> [f32; N],
+        accurate: impl FnOnce() -> [f32; N],
     ) -> [f32; N] {
-        fine()
+        accurate()
     }
 
     #[inline(always)]
@@ -207,7 +52,7 @@ impl Tier for f32 {
     }
 
     #[inline(always)]
-    fn of_base(x: f32) -> f32 {
+    fn from_base(x: f32) -> f32 {
         x
     }
 
@@ -222,12 +67,12 @@ impl Tier for f32 {
     }
 
     #[inline]
-    fn tails_of(bits: u64) -> Tails<f32> {
+    fn tails_from_bits(bits: u64) -> Tails<f32> {
         Tails::from_nearer(uniform::tail(bits << 1 >> 1), bits >> 63 != 0)
     }
 
     #[inline]
-    fn turn_of(bits: u32) -> CosSin<f32> {
+    fn turn_from_bits(bits: u32) -> CosSin<f32> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

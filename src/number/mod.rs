@@ -1,9 +1,10 @@
 //! Number types: a format and an accuracy tier at once, one a file.
 
-pub(crate) mod f32;
-pub(crate) mod f64;
+mod f32;
+mod f64;
 mod fast;
 mod precise;
+pub(crate) mod tier;
 
 pub use fast::Fast;
 pub use precise::Precise;
@@ -14,4 +15,4 @@ pub use precise::Precise;
 /// Sealed. A law's formula is written once; its number type decides the arithmetic that runs it.
 /// `f32` is computed in `f32` alone, on every target. What each type costs and how well it does is in the
 /// tables of [`accuracy`](crate::accuracy).
-pub trait Real: crate::arithmetic::tier::Tier {}
+pub trait Real: tier::Tier {}

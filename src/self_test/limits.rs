@@ -17,19 +17,12 @@ pub enum Alarm {
     OneInBillion,
 }
 
-/// Tenths of χ² for a number of degrees of freedom.
-pub(super) struct Row {
-    pub(super) freedom: u8,
-    /// \[least, most\] believed, for each [`Alarm`] in its order.
-    pub(super) limits: [[u32; 2]; 2],
-}
-
 /// \[least, most\]; a number of degrees of freedom that has no row believes nothing.
 fn limits(freedom: u8, alarm: Alarm) -> [u32; 2] {
-    let row = TABLE.iter().find(|row| row.freedom == freedom);
-    row.map_or([u32::MAX, 0], |row| match alarm {
-        Alarm::OneInMillion => row.limits[0],
-        Alarm::OneInBillion => row.limits[1],
+    let row = TABLE.iter().find(|row| row.0 == freedom);
+    row.map_or([u32::MAX, 0], |&(_, [million, billion])| match alarm {
+        Alarm::OneInMillion => million,
+        Alarm::OneInBillion => billion,
     })
 }
 

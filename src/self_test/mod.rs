@@ -28,7 +28,7 @@
 //!
 //! The law of the check itself is what [`Law::unwarp_tails`](crate::Law::unwarp_tails) computes; that a sampler
 //! agrees with its own wrong cdf is for the host's tests to see, not for this one.
-#![doc = include_str!("../../docs/self_test.md")]
+#![doc = include_str!("../../docs/measured/self_test.md")]
 
 mod cells;
 #[cfg(feature = "fixed")]

@@ -1,6 +1,6 @@
 //! What is checked: something that draws, and says where in the law a sample lies.
 
-use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::float::Float;
 use crate::{CosSin, Law, Planar, Real, Spatial};
 use core::fmt;
 use core::marker::PhantomData;
@@ -85,7 +85,7 @@ fn place<T: Real>(
     if !square.is_finite() {
         return Err(Invalid::NotFinite);
     }
-    if (square - T::ONE).abs() > T::of_base(T::UNIT_SLACK) {
+    if (square - T::ONE).abs() > T::from_base(T::UNIT_SLACK) {
         return Err(Invalid::Length);
     }
     if at.cos <= T::ZERO {
@@ -98,7 +98,7 @@ fn place<T: Real>(
     let (p, is_lower) = law.unwarp_tails(at).nearer();
     let p = p.to_base();
     Ok(Place {
-        tail: ((p + p) * T::Base::of_i32(1 << 30)).to_u32(),
+        tail: ((p + p) * T::Base::from_i32(1 << 30)).to_u32(),
         upper: is_lower == 0,
         sector,
     })

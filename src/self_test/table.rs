@@ -1,15 +1,14 @@
 //! Limits of χ², in tenths. Made by `cargo test --test self_test -- --ignored write_limits`.
 
-use super::limits::Row;
-
+/// Degrees of freedom, and the \[least, most\] believed for each alarm in its order.
 #[rustfmt::skip]
-pub(super) const TABLE: [Row; 8] = [
-    Row { freedom: 7, limits: [[0, 483], [0, 635]] },
-    Row { freedom: 15, limits: [[7, 653], [2, 820]] },
-    Row { freedom: 32, limits: [[54, 955], [33, 1147]] },
-    Row { freedom: 37, limits: [[73, 1037], [47, 1235]] },
-    Row { freedom: 39, limits: [[81, 1069], [53, 1269]] },
-    Row { freedom: 41, limits: [[90, 1101], [59, 1303]] },
-    Row { freedom: 43, limits: [[98, 1133], [66, 1337]] },
-    Row { freedom: 63, limits: [[196, 1437], [146, 1662]] },
+pub(super) const TABLE: [(u8, [[u32; 2]; 2]); 8] = [
+    (7, [[0, 483], [0, 635]]),
+    (15, [[7, 653], [2, 820]]),
+    (32, [[54, 955], [33, 1147]]),
+    (37, [[73, 1037], [47, 1235]]),
+    (39, [[81, 1069], [53, 1269]]),
+    (41, [[90, 1101], [59, 1303]]),
+    (43, [[98, 1133], [66, 1337]]),
+    (63, [[196, 1437], [146, 1662]]),
 ];

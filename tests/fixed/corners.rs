@@ -1,9 +1,9 @@
 //! Any pair, angles outside the support, and wrong laws, which must be caught.
 
-use crate::reference::{Q31, Subject, subjects};
 use crate::{ROWS, Worst, worst};
 use coslobe::{CosSin, Fixed};
 use fixed::types::{I1F31, U0F32, U16F16};
+use kit::integer::reference::{Q31, Subject, subjects};
 
 /// Corners of two arguments: any pair of words, unit vector or not, has tails and densities.
 #[test]

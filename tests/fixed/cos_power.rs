@@ -1,9 +1,9 @@
 //! Real exponents against `f64`.
 
-use crate::reference::{Q31, Q32, power_pair};
 use crate::{Worst, off, pair_off, tails, turn_off, worst};
 use coslobe::{CosSin, Fixed};
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use kit::integer::reference::{Q31, Q32, power_pair};
 use std::f64::consts::TAU;
 
 /// (k, largest error of [warp, warp_sf, unit, quantile, cdf, sf, pdf, density]); the last two in units of 2⁻¹⁶.

@@ -4,7 +4,7 @@
 //! `COSLOBE_BLESS=1 cargo test --features fixed --test fixed16 golden`.
 
 use crate::subject::{Subject, subjects};
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::I1F15;
 use rand_pcg::Pcg32;

@@ -1,12 +1,12 @@
 //! Each sample against the closed form of the words that it took, which pins what is documented of them.
 
 use crate::Q15;
-use crate::stats::words::{self, Words};
-use crate::truth::DISK;
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::I1F15;
+use kit::integer::truth::DISK;
+use kit::stats::words::{self, Words};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const Q32: f64 = 4294967296.0;

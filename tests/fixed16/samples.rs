@@ -2,14 +2,14 @@
 //! that are stuck.
 
 use crate::Q15;
-use crate::stats::harness::{examine, examine_tail};
-use crate::stats::ks;
-use crate::stats::laws::{Claim, Direction};
-use crate::stats::words::{self, Words};
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, Law, Moments, SphereShell};
 use fixed::types::I1F15;
+use kit::stats::claim::{Claim, Direction};
+use kit::stats::harness::{examine, examine_tail};
+use kit::stats::ks;
+use kit::stats::words::{self, Words};
 
 /// One unit in the last place.
 const UNIT: f64 = 1.0 / Q15;

@@ -2,10 +2,10 @@
 // Its items are those of one test file.
 #![allow(unreachable_pub)]
 
-use crate::truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::{I0F16, I1F15, U0F16};
+use kit::integer::truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
 use std::ops::Deref;
 
 pub type Pair = CosSin<I1F15>;

@@ -33,8 +33,8 @@ pub(crate) fn sides(freedom: u8, p: f64) -> [f64; 2] {
 fn table() -> String {
     let mut text = String::from(
         "//! Limits of χ², in tenths. Made by `cargo test --test self_test -- --ignored write_limits`.\n\n\
-         use super::limits::Row;\n\n\
-         #[rustfmt::skip]\npub(super) const TABLE: [Row; ",
+         /// Degrees of freedom, and the \\[least, most\\] believed for each alarm in its order.\n\
+         #[rustfmt::skip]\npub(super) const TABLE: [(u8, [[u32; 2]; 2]); ",
     );
     writeln!(text, "{}] = [", FREEDOMS.len()).unwrap();
     for freedom in FREEDOMS {
@@ -42,11 +42,7 @@ fn table() -> String {
             let [least, most] = sides(freedom, alarm / SHARE);
             [(10.0 * least).floor() as u32, (10.0 * most).ceil() as u32]
         });
-        writeln!(
-            text,
-            "    Row {{ freedom: {freedom}, limits: {limits:?} }},"
-        )
-        .unwrap();
+        writeln!(text, "    ({freedom}, {limits:?}),").unwrap();
     }
     text + "];\n"
 }

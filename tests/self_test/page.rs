@@ -1,4 +1,4 @@
-//! docs/self_test.md: what the check sees, as measured here.
+//! docs/measured/self_test.md: what the check sees, as measured here.
 
 use crate::alarms;
 use crate::faults::name;
@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// Bytes of a check: all it needs beside its functions' frames.
 const RAM: usize = size_of::<Check<InSpace<f32, Lambert>>>();
 
-const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/self_test.md");
+const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/measured/self_test.md");
 const STOPS: [u16; 5] = [4096, 8192, 16384, 32768, 65535];
 const SEEDS: u64 = 32;
 const ALARM_SEEDS: u64 = 100_000;
@@ -49,7 +49,7 @@ fn page() -> String {
          A check takes {RAM} bytes of stack beside the frames of its functions, and no \
          static memory.\n\n\
          Instructions beside those of each `f32` direction of `Lambert` itself, by QEMU (`cargo run --release \
-         --example on_target -- self-test`, which compares them with these):\n\n\
+         -p on_target -- self-test`, which compares them with these):\n\n\
          | board | instructions a sample |\n|---|--:|\n\
          | M0 | 4650 |\n| M3 | 2610 |\n| M4F | 676 |\n| RV32IMC | 2592 |\n\n\
          Caught, of {SEEDS} seeds, by `Alarm::OneInBillion` after so many samples; faults of a generator in \
@@ -85,8 +85,8 @@ fn page() -> String {
 /// The table's figures are not repeated here (they take a minute); its faults and sizes are.
 #[test]
 fn committed_page_lists_every_fault_and_the_size() {
-    let committed = include_str!("../../docs/self_test.md");
-    let stale = "docs/self_test.md is out of date: cargo test --release --test self_test -- --ignored write_page";
+    let committed = include_str!("../../docs/measured/self_test.md");
+    let stale = "docs/measured/self_test.md is out of date: cargo test --release --test self_test -- --ignored write_page";
     let faults = generators::FAULTS.iter().map(|(fault, ..)| fault);
     for fault in faults.chain(samplers::FAULTS.iter().map(|(fault, ..)| fault)) {
         assert!(
@@ -101,7 +101,7 @@ fn committed_page_lists_every_fault_and_the_size() {
 }
 
 #[test]
-#[ignore = "writes docs/self_test.md, a minute: cargo test --release --test self_test -- --ignored write_page"]
+#[ignore = "writes docs/measured/self_test.md, a minute: cargo test --release --test self_test -- --ignored write_page"]
 fn write_page() {
     std::fs::write(PATH, page()).unwrap();
 }

@@ -7,8 +7,8 @@ fn main() {
     println!("cargo::rustc-link-arg=-Tboard.x");
     let number = env::var("COSLOBE_TYPE").unwrap_or("f32".to_owned());
     let number = match number.as_str() {
-        "Fixed" => "coslobe_common::Integers",
-        "Fixed16" => "coslobe_common::Integers16",
+        "Fixed" => "kit::Integers",
+        "Fixed16" => "kit::Integers16",
         number => number,
     };
     let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");

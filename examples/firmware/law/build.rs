@@ -23,7 +23,7 @@ fn main() {
     fs::write(
         Path::new(&out).join("subject.rs"),
         format!(
-            "#[allow(unused_imports)] // which ones, the law decides\nuse {{coslobe::*, coslobe_common::*}};\n\
+            "#[allow(unused_imports)] // which ones, the law decides\nuse {{coslobe::*, kit::*}};\n\
              pub(crate) fn subject() -> impl Subject {{\n    {subject}\n}}\n"
         ),
     )

@@ -1,14 +1,13 @@
 //! Cosine, sine and the angle of a pair.
 
-use super::Double;
+use super::arith::Double;
 use super::arith::{add_raw, add_smaller, gap, mul_raw, normalise, square_raw};
 use super::coefficients::{HALF_PI, PI, QUARTER_PI, SIN, TWO_PI};
 use super::root::sqrt_of_positive;
 use super::series::Series;
 use crate::CosSin;
-use crate::arithmetic::native::pair::Pair;
 
-const HALF_PI_PAIR: Double = Pair {
+const HALF_PI_PAIR: Double = Double {
     hi: HALF_PI[0],
     lo: HALF_PI[1],
 };
@@ -16,18 +15,18 @@ const HALF_PI_PAIR: Double = Pair {
 /// π/2 − a for 0 ≤ a ≤ π/2, with three words of π/2: beside it, the first two cancel.
 #[inline]
 pub(crate) fn from_end(a: f64) -> Double {
-    let d = Pair::fast_sum(HALF_PI[0], -a);
-    let s = Pair::fast_sum(d.hi, HALF_PI[1]);
-    Pair::fast_sum(s.hi, s.lo + (d.lo + HALF_PI[2]))
+    let d = Double::fast_two_sum(HALF_PI[0], -a);
+    let s = Double::fast_two_sum(d.hi, HALF_PI[1]);
+    Double::fast_two_sum(s.hi, s.lo + (d.lo + HALF_PI[2]))
 }
 
 /// π/2 − a for a pair with π/2 − a > 2⁻⁶⁵: the error is below 2⁻¹⁶⁰.
 #[inline]
 pub(crate) fn pair_from_end(a: Double) -> Double {
-    let d = Pair::sum(HALF_PI[0], -a.hi);
-    let e = Pair::sum(HALF_PI[1], -a.lo);
-    let s = Pair::sum(d.hi, e.hi);
-    Pair::fast_sum(s.hi, s.lo + (d.lo + (e.lo + HALF_PI[2])))
+    let d = Double::two_sum(HALF_PI[0], -a.hi);
+    let e = Double::two_sum(HALF_PI[1], -a.lo);
+    let s = Double::two_sum(d.hi, e.hi);
+    Double::fast_two_sum(s.hi, s.lo + (d.lo + (e.lo + HALF_PI[2])))
 }
 
 /// sin x − x, not normalised.
@@ -43,7 +42,7 @@ pub(crate) fn sine_gap(x: Double, series: &Series) -> Double {
 pub(crate) fn sin_cos_gap(x: Double) -> (CosSin<Double>, Double) {
     let rest = sine_gap(x, &SIN);
     let sin = add_smaller(x, rest);
-    let square = add_raw(Pair::exact(1.0), square_raw(sin).neg());
+    let square = add_raw(Double::exact(1.0), -square_raw(sin));
     let cos = sqrt_of_positive(square);
     (CosSin { cos, sin }, rest)
 }
@@ -61,7 +60,7 @@ pub(crate) fn at_angle(theta: f64) -> CosSin<Double> {
     if a > QUARTER_PI.hi {
         swapped(sin_cos(from_end(a)))
     } else {
-        sin_cos(Pair::exact(a))
+        sin_cos(Double::exact(a))
     }
 }
 
@@ -84,27 +83,27 @@ pub(crate) fn at_eighth(x: Double) -> CosSin<Double> {
 #[inline]
 fn atan_of_ratio(y: Double, x: Double) -> Double {
     let start = libm::atan2(y.hi, x.hi);
-    let CosSin { cos, sin } = sin_cos(Pair::exact(start));
+    let CosSin { cos, sin } = sin_cos(Double::exact(start));
     let across = gap(mul_raw(y, cos), mul_raw(x, sin));
     let along = x.hi * cos.hi + y.hi * sin.hi;
-    Pair::fast_sum(start, across / along)
+    Double::fast_two_sum(start, across / along)
 }
 
 /// The angle of (x, y), with the signs, zeros and infinities of `f64::atan2`.
 #[inline]
 pub(crate) fn atan2(y: Double, x: Double) -> Double {
     if y.hi.is_nan() || x.hi.is_nan() {
-        return Pair::exact(f64::NAN);
+        return Double::exact(f64::NAN);
     }
     let behind = x.hi.is_sign_negative();
     let below = y.hi.is_sign_negative();
-    let x = if behind { x.neg() } else { x };
-    let y = if below { y.neg() } else { y };
+    let x = if behind { -x } else { x };
+    let y = if below { -y } else { y };
     let steep = y.hi > x.hi;
     let (small, large) = if steep { (x, y) } else { (y, x) };
     let angle = if small.hi == 0.0 || !large.hi.is_finite() {
         if small.hi.is_finite() {
-            Pair::exact(0.0)
+            Double::exact(0.0)
         } else {
             QUARTER_PI
         }
@@ -113,9 +112,9 @@ pub(crate) fn atan2(y: Double, x: Double) -> Double {
     };
     let angle = match (steep, behind) {
         (false, false) => angle,
-        (false, true) => add_smaller(PI, angle.neg()),
-        (true, false) => add_smaller(HALF_PI_PAIR, angle.neg()),
+        (false, true) => add_smaller(PI, -angle),
+        (true, false) => add_smaller(HALF_PI_PAIR, -angle),
         (true, true) => add_smaller(HALF_PI_PAIR, angle),
     };
-    if below { angle.neg() } else { angle }
+    if below { -angle } else { angle }
 }

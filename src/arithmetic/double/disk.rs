@@ -3,14 +3,13 @@
 //! With η the angle from the nearer end, θ from the axis and p that end's tail,
 //! πp = η − sin η cos η and π(½ − p) = θ + sin θ cos θ. The difference is summed from parts of one sign.
 
-use super::Double;
 use super::angle::{from_end, sin_cos_gap, swapped};
-use super::arith::{add_raw, add_smaller, gap, mul_raw, normalise, square_raw};
+use super::arith::Double;
+use super::arith::{add_raw, add_smaller, gap, mul_raw, normalise, quotient, square_raw, sum};
 use super::coefficients::{PI, QUARTER_PI, RECIP_PI};
 use crate::CosSin;
 use crate::arithmetic::native::cbrt::cbrt_times;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::poly::horner;
 
 /// An angle up to 0.9 with its cosine and sine, and the area that the law measures.
@@ -24,8 +23,8 @@ impl Arc {
     #[inline(always)]
     fn from_end(x: Double) -> Arc {
         let (at, rest) = sin_cos_gap(x);
-        let versine = square_raw(at.sin).div(add_smaller(Pair::exact(1.0), at.cos));
-        let area = add_raw(mul_raw(x, versine), mul_raw(rest, at.cos).neg());
+        let versine = quotient(square_raw(at.sin), add_smaller(Double::exact(1.0), at.cos));
+        let area = add_raw(mul_raw(x, versine), -mul_raw(rest, at.cos));
         Arc { at, area }
     }
 
@@ -41,7 +40,7 @@ impl Arc {
     #[inline(always)]
     fn area_beyond(&self, root_of_half_slope: f64, d: f64) -> Double {
         let more = 2.0 * root_of_half_slope * root_of_half_slope * d;
-        Pair {
+        Double {
             hi: self.area.hi,
             lo: self.area.lo + more,
         }
@@ -64,8 +63,8 @@ impl Arc {
     fn turned(&self, d: f64) -> CosSin<Double> {
         let CosSin { cos, sin } = self.at;
         CosSin {
-            cos: Pair::fast_sum(cos.hi, cos.lo - sin.hi * d),
-            sin: Pair::fast_sum(sin.hi, sin.lo + cos.hi * d),
+            cos: Double::fast_two_sum(cos.hi, cos.lo - sin.hi * d),
+            sin: Double::fast_two_sum(sin.hi, sin.lo + cos.hi * d),
         }
     }
 }
@@ -77,7 +76,7 @@ fn tail_of_end_area(area: Double) -> Double {
 
 #[inline(always)]
 fn tail_of_axis_area(area: Double) -> Double {
-    add_smaller(Pair::exact(0.5), mul_raw(area, RECIP_PI).neg())
+    add_smaller(Double::exact(0.5), -mul_raw(area, RECIP_PI))
 }
 
 /// Nearer tail at |θ| = a ≤ π/2.
@@ -86,16 +85,16 @@ pub(crate) fn tail_at_angle(a: f64) -> Double {
     if a > QUARTER_PI.hi {
         tail_of_end_area(Arc::from_end(from_end(a)).area)
     } else {
-        tail_of_axis_area(Arc::from_axis(Pair::exact(a)).area)
+        tail_of_axis_area(Arc::from_axis(Double::exact(a)).area)
     }
 }
 
 /// Nearer tail at a direction, from the smaller of cos θ and |sin θ|.
 #[inline]
-pub(crate) fn tail_at_pair(cos: Double, sin: Double) -> Double {
+pub(crate) fn tail_at_direction(cos: Double, sin: Double) -> Double {
     let at_end = cos.hi <= sin.hi;
     let small = if at_end { cos } else { sin };
-    let start = Pair::exact(libm::asin(small.hi));
+    let start = Double::exact(libm::asin(small.hi));
     if at_end {
         let arc = Arc::from_end(start);
         let d = gap(small, arc.at.sin) / arc.at.cos.hi;
@@ -115,16 +114,16 @@ fn corrected(p: Double) -> (f64, Arc, f64, bool) {
         let s = cbrt_times(<f64 as Native>::CONSTANTS.twelve_pi, p.hi);
         let t = s * s;
         let start = s * 0.5 + s * t * horner(t, table.kepler_tail);
-        let arc = Arc::from_end(Pair::exact(start));
+        let arc = Arc::from_end(Double::exact(start));
         let step = arc.step_to(mul_raw(p, PI), arc.at.sin.hi);
         (start, arc, step, true)
     } else {
         // From the pair's ½ − p: near ½ it is all that p holds.
-        let d = Pair::exact(0.5).add(p.neg());
+        let d = sum(Double::exact(0.5), -p);
         let w = d.hi * d.hi;
         let start =
             d.hi * (<f64 as Native>::CONSTANTS.half_pi.hi + w * horner(w, table.kepler_centre));
-        let arc = Arc::from_axis(Pair::exact(start));
+        let arc = Arc::from_axis(Double::exact(start));
         let step = arc.step_to(mul_raw(d, PI), arc.at.cos.hi);
         (start, arc, step, false)
     }
@@ -134,12 +133,12 @@ fn corrected(p: Double) -> (f64, Arc, f64, bool) {
 #[inline]
 pub(crate) fn angle_at_tail(p: Double) -> (Double, bool) {
     let (start, _, step, at_end) = corrected(p);
-    (Pair::fast_sum(start, step), at_end)
+    (Double::fast_two_sum(start, step), at_end)
 }
 
 /// (cos θ, |sin θ|) at the nearer tail p.
 #[inline]
-pub(crate) fn pair_at_tail(p: Double) -> CosSin<Double> {
+pub(crate) fn direction_at_tail(p: Double) -> CosSin<Double> {
     let (_, arc, step, at_end) = corrected(p);
     let at = arc.turned(step);
     if at_end { swapped(at) } else { at }

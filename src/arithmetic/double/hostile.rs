@@ -2,16 +2,16 @@
 
 extern crate std;
 
+use super::arith::Double;
 use super::{angle, disk, log_exp, root};
 use crate::CosSin;
-use crate::arithmetic::native::pair::Pair;
 
 #[test]
 fn the_angle_of_zeros_and_infinities_is_that_of_std() {
     let values = [0.0, -0.0, 1.0, -1.0, f64::INFINITY, f64::NEG_INFINITY];
     for y in values {
         for x in values {
-            let got = angle::atan2(Pair::exact(y), Pair::exact(x)).hi;
+            let got = angle::atan2(Double::exact(y), Double::exact(x)).hi;
             let want = std::primitive::f64::atan2(y, x);
             assert_eq!(got.to_bits(), want.to_bits(), "atan2({y}, {x})");
         }
@@ -35,11 +35,11 @@ fn no_argument_panics_and_nan_stays() {
     ];
     for a in hostile {
         for b in hostile {
-            let (x, y) = (Pair::exact(a), Pair::exact(b));
+            let (x, y) = (Double::exact(a), Double::exact(b));
             let CosSin { cos, sin } = angle::sin_cos(x);
             let turned = angle::at_eighth(x);
             let folded = angle::at_angle(a);
-            let pair = disk::pair_at_tail(x);
+            let pair = disk::direction_at_tail(x);
             let (exp, _) = log_exp::exp(x);
             let (angle, _) = disk::angle_at_tail(x);
             let of_one = [
@@ -65,7 +65,7 @@ fn no_argument_panics_and_nan_stays() {
             for (i, value) in of_one.iter().enumerate() {
                 assert!(!a.is_nan() || value.hi.is_nan(), "{i} at NaN: {value:?}");
             }
-            let of_two = [angle::atan2(x, y), disk::tail_at_pair(x, y)];
+            let of_two = [angle::atan2(x, y), disk::tail_at_direction(x, y)];
             for value in of_two {
                 assert!(
                     !(a.is_nan() && b.is_nan()) || value.hi.is_nan(),

@@ -1,23 +1,43 @@
 //! The formulas' kernels in double-double.
 
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::f64::power_of_two;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::native::turn::into_quadrant;
-use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::Holds;
-use crate::number::f64::power_of_two;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
+
+const fn constants(c: &Constants<Pair<f64>>) -> Constants<Double> {
+    Constants {
+        half_pi: Double::from_pair(c.half_pi),
+        two_pi: Double::from_pair(c.two_pi),
+        pi: Double::from_pair(c.pi),
+        recip_pi: Double::from_pair(c.recip_pi),
+        two_over_pi: Double::from_pair(c.two_over_pi),
+        recip_two_pi: Double::from_pair(c.recip_two_pi),
+        twelve_pi: Double::from_pair(c.twelve_pi),
+        three_over_two_pi: Double::from_pair(c.three_over_two_pi),
+        two_over_three_pi: Double::from_pair(c.two_over_three_pi),
+        ln_2: Double::from_pair(c.ln_2),
+        ln_two_pi: Double::from_pair(c.ln_two_pi),
+        ln_pi: Double::from_pair(c.ln_pi),
+        ln_two_over_pi: Double::from_pair(c.ln_two_over_pi),
+        ln_three_over_two_pi: Double::from_pair(c.ln_three_over_two_pi),
+    }
+}
 
 /// A power that comes this near to an `f64` is one: c³ of a short c must be met exactly, since it can
 /// be a tie of a shorter format.
 #[inline]
 fn snapped(x: Double) -> Double {
     if x.lo.abs() < x.hi.abs() * power_of_two(-90) {
-        Pair::exact(x.hi)
+        Double::exact(x.hi)
     } else {
         x
     }
@@ -48,7 +68,7 @@ fn one_minus_power(m: Double, v: Double) -> Double {
         } else {
             0.0
         };
-        return Pair { hi: sum.hi, lo };
+        return Double { hi: sum.hi, lo };
     }
     sum
 }
@@ -56,7 +76,7 @@ fn one_minus_power(m: Double, v: Double) -> Double {
 impl Kernel for Double {
     type Wide = Double;
 
-    const CONSTANTS: Constants<Double> = <f64 as Native>::CONSTANTS;
+    const CONSTANTS: Constants<Double> = constants(&<f64 as Native>::CONSTANTS);
 
     #[inline]
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
@@ -121,7 +141,7 @@ impl Kernel for Double {
     #[inline]
     fn at_turn(u: Self) -> CosSin<Self> {
         let quadrant = (u.hi * 4.0 + 0.5) as u32;
-        Self::at_quadrant(quadrant, u - Self::of(0.25 * f64::from(quadrant)))
+        Self::at_quadrant(quadrant, u - Self::from_number(0.25 * f64::from(quadrant)))
     }
     #[inline]
     fn half_turn(p: Self) -> CosSin<Self> {
@@ -136,12 +156,12 @@ impl Kernel for Double {
         disk::tail_at_angle(a.hi)
     }
     #[inline]
-    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self {
-        disk::tail_at_pair(cos, sin)
+    fn disk_tail_at_direction(cos: Self, sin: Self) -> Self {
+        disk::tail_at_direction(cos, sin)
     }
     #[inline]
-    fn disk_pair_at_tail(p: Self) -> CosSin<Self> {
-        disk::pair_at_tail(p)
+    fn disk_direction_at_tail(p: Self) -> CosSin<Self> {
+        disk::direction_at_tail(p)
     }
     #[inline]
     fn disk_angle_at_tail(p: Self) -> Self {
@@ -173,7 +193,7 @@ impl Kernel for Double {
     fn exp_times(a: Self, c: Self) -> Self {
         let (m, n) = log_exp::exp(a);
         let product = c * snapped(m);
-        Pair {
+        Double {
             hi: product.hi.scale(n),
             lo: product.lo.scale(n),
         }

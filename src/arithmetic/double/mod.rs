@@ -2,7 +2,7 @@
 //!
 //! Each function takes a result of plain f64 and corrects it once, or sums one short series. The bounds
 //! hold while arguments and results lie between 2⁻⁴⁰⁰ and 2⁴⁰⁰; results are normalised, hi = RN(hi + lo),
-//! and what is exact comes out with lo = 0. `Pair::product` is off by at most one unit of 2⁻¹⁰⁴: only the
+//! and what is exact comes out with lo = 0. `two_prod` is off by at most one unit of 2⁻¹⁰⁴: only the
 //! product of two trailing parts, of 27 bits each, can round.
 
 pub(crate) mod angle;
@@ -20,7 +20,4 @@ mod series;
 #[cfg(test)]
 mod tests;
 
-use crate::arithmetic::native::pair::Pair;
-
-/// A number of about 104 bits.
-pub(crate) type Double = Pair<f64>;
+pub(crate) use arith::Double;

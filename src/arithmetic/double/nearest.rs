@@ -1,7 +1,7 @@
 //! One rounding, from double-double to a format with an end to its exponents.
 
 use crate::arithmetic::double::Double;
-use crate::number::f64::power_of_two;
+use crate::arithmetic::native::f64::power_of_two;
 
 /// A binary format by what rounding to it needs.
 pub(crate) struct Grid {
@@ -70,7 +70,6 @@ pub(crate) fn is_moderate(x: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arithmetic::native::pair::Pair;
 
     /// Significands with every kind of end: all zeros, a tie at any place, beside one, mixed.
     fn significands() -> impl Iterator<Item = u64> {
@@ -94,10 +93,10 @@ mod tests {
             let hi = f64::from_bits(1023 << 52 | s);
             for n in -1022..=1023 {
                 let want = (hi * power_of_two(n)).to_bits();
-                assert_eq!(Grid::F64.nearest(Pair::exact(-hi), n), want, "{hi:e} {n}");
+                assert_eq!(Grid::F64.nearest(Double::exact(-hi), n), want, "{hi:e} {n}");
                 let want = ((hi * power_of_two(n)) as f32).to_bits();
                 assert_eq!(
-                    Grid::F32.nearest(Pair::exact(hi), n),
+                    Grid::F32.nearest(Double::exact(hi), n),
                     u64::from(want),
                     "{hi:e} {n}"
                 );
@@ -106,18 +105,18 @@ mod tests {
                 // Halved exactly, then rounded by the last product.
                 let want = (hi * power_of_two(-below) * power_of_two(-1022)).to_bits();
                 let n = -1022 - below;
-                assert_eq!(Grid::F64.nearest(Pair::exact(hi), n), want, "{hi:e} {n}");
+                assert_eq!(Grid::F64.nearest(Double::exact(hi), n), want, "{hi:e} {n}");
             }
         }
         assert_eq!(
-            Grid::F64.nearest(Pair::exact(1.0), 1024),
+            Grid::F64.nearest(Double::exact(1.0), 1024),
             f64::INFINITY.to_bits()
         );
         assert_eq!(
-            Grid::F64.nearest(Pair::exact(1.0), 1 << 26),
+            Grid::F64.nearest(Double::exact(1.0), 1 << 26),
             f64::INFINITY.to_bits()
         );
-        assert_eq!(Grid::F64.nearest(Pair::exact(1.0), -(1 << 26)), 0);
+        assert_eq!(Grid::F64.nearest(Double::exact(1.0), -(1 << 26)), 0);
     }
 
     /// A trailing word decides a tie and nothing else.
@@ -126,7 +125,7 @@ mod tests {
         let lo = power_of_two(-80);
         for s in significands() {
             let hi = f64::from_bits(1023 << 52 | s);
-            let at = |lo, n| Grid::F64.nearest(Pair { hi, lo }, n);
+            let at = |lo, n| Grid::F64.nearest(Double { hi, lo }, n);
             for n in -1080..-1022 {
                 let (down, middle, up) = (at(-lo, n), at(0.0, n), at(lo, n));
                 let dropped = (-1022 - n) as u32;

@@ -1,11 +1,10 @@
 //! Double-double as a working arithmetic: what the `Precise` tiers compute in.
 
+use super::arith::{product, quotient, sum};
 use crate::arithmetic::double::{Double, root};
-use crate::arithmetic::kernel::Wide;
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::Holds;
+use crate::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `result`, or its leading word alone where a zero or an overflow has left NaN in the trailing one.
@@ -14,7 +13,7 @@ fn settled(leading: f64, result: Double) -> Double {
     if leading.is_finite() && leading != 0.0 {
         result
     } else {
-        Pair::exact(leading)
+        Double::exact(leading)
     }
 }
 
@@ -22,12 +21,12 @@ impl Add for Double {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        let sum = Pair::add(self, b);
+        let sum = sum(self, b);
         // Leading words that cancel leave the trailing ones.
         if sum.hi.is_finite() && sum.hi != 0.0 {
             sum
         } else {
-            Pair::exact(self.hi + b.hi)
+            Double::exact(self.hi + b.hi)
         }
     }
 }
@@ -44,7 +43,7 @@ impl Mul for Double {
     type Output = Self;
     #[inline]
     fn mul(self, b: Self) -> Self {
-        settled(self.hi * b.hi, Pair::mul(self, b))
+        settled(self.hi * b.hi, product(self, b))
     }
 }
 
@@ -52,7 +51,7 @@ impl Div for Double {
     type Output = Self;
     #[inline]
     fn div(self, b: Self) -> Self {
-        settled(self.hi / b.hi, Pair::div(self, b))
+        settled(self.hi / b.hi, quotient(self, b))
     }
 }
 
@@ -60,36 +59,39 @@ impl Neg for Double {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Pair::neg(self)
+        Double {
+            hi: -self.hi,
+            lo: -self.lo,
+        }
     }
 }
 
 impl Scalar for Double {
-    const ZERO: Self = Pair { hi: 0.0, lo: 0.0 };
-    const QUARTER: Self = Pair { hi: 0.25, lo: 0.0 };
-    const HALF: Self = Pair { hi: 0.5, lo: 0.0 };
-    const ONE: Self = Pair { hi: 1.0, lo: 0.0 };
-    const INFINITY: Self = Pair {
+    const ZERO: Self = Double { hi: 0.0, lo: 0.0 };
+    const QUARTER: Self = Double { hi: 0.25, lo: 0.0 };
+    const HALF: Self = Double { hi: 0.5, lo: 0.0 };
+    const ONE: Self = Double { hi: 1.0, lo: 0.0 };
+    const INFINITY: Self = Double {
         hi: f64::INFINITY,
         lo: 0.0,
     };
-    const NAN: Self = Pair {
+    const NAN: Self = Double {
         hi: f64::NAN,
         lo: 0.0,
     };
-    const MIN_NORMAL: Self = Pair {
+    const MIN_NORMAL: Self = Double {
         hi: f64::MIN_POSITIVE,
         lo: 0.0,
     };
-    const MAX: Self = Pair {
+    const MAX: Self = Double {
         hi: f64::MAX,
         lo: 0.0,
     };
-    const HALF_PI_DOWN: Self = <f64 as Native>::CONSTANTS.half_pi;
+    const HALF_PI_DOWN: Self = Double::from_pair(<f64 as Native>::CONSTANTS.half_pi);
 
     #[inline(always)]
     fn int(n: i16) -> Self {
-        Pair::exact(f64::from(n))
+        Double::exact(f64::from(n))
     }
     #[inline(always)]
     fn is_nan(self) -> bool {
@@ -111,11 +113,11 @@ impl Scalar for Double {
     fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
         let (a_hi, b_hi) = f64::swap_if_odd(n, a.hi, b.hi);
         let (a_lo, b_lo) = f64::swap_if_odd(n, a.lo, b.lo);
-        (Pair { hi: a_hi, lo: a_lo }, Pair { hi: b_hi, lo: b_lo })
+        (Double { hi: a_hi, lo: a_lo }, Double { hi: b_hi, lo: b_lo })
     }
     #[inline(always)]
     fn negate_if_odd(self, n: u32) -> Self {
-        Pair {
+        Double {
             hi: self.hi.negate_if_odd(n),
             lo: self.lo.negate_if_odd(n),
         }
@@ -130,53 +132,9 @@ impl Scalar for Double {
     }
 }
 
-/// A double-double carries its own trailing digits, so that it is its own wide type.
-impl Wide<Double> for Double {
-    #[inline(always)]
-    fn exact(x: Self) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn value(self) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn leading(self) -> Self {
-        self
-    }
-    #[inline]
-    fn sum(a: Self, b: Self) -> Self {
-        a + b
-    }
-    #[inline(always)]
-    fn neg(self) -> Self {
-        -self
-    }
-    #[inline]
-    fn times(self, b: Self) -> Self {
-        self * b
-    }
-    #[inline]
-    fn mul(self, b: Self) -> Self {
-        self * b
-    }
-    #[inline]
-    fn add(self, b: Self) -> Self {
-        self + b
-    }
-    #[inline]
-    fn div(self, b: Self) -> Self {
-        self / b
-    }
-    #[inline]
-    fn sqrt(self) -> Self {
-        root::sqrt(self)
-    }
-}
-
 impl Holds<f64> for Double {
     #[inline(always)]
-    fn of(x: f64) -> Self {
-        Pair::exact(x)
+    fn from_number(x: f64) -> Self {
+        Double::exact(x)
     }
 }

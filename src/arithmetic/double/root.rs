@@ -1,17 +1,16 @@
 //! Roots: the f64 root and one Newton step. An f64 root is off by half an ulp or one, so that the
 //! step's own error, its square, is below 2⁻¹⁰⁵.
 
-use super::Double;
-use super::arith::{gap, square_raw};
+use super::arith::Double;
+use super::arith::{gap, product, square_raw};
 use crate::arithmetic::native::cbrt;
-use crate::arithmetic::native::pair::Pair;
 
 /// √x for finite x > 0.
 #[inline]
 pub(crate) fn sqrt_of_positive(x: Double) -> Double {
     let root = libm::sqrt(x.hi);
-    let rest = gap(x, Pair::product(root, root));
-    Pair::fast_sum(root, rest / (root + root))
+    let rest = gap(x, Double::two_prod(root, root));
+    Double::fast_two_sum(root, rest / (root + root))
 }
 
 /// √x; NaN for x < 0.
@@ -20,7 +19,7 @@ pub(crate) fn sqrt(x: Double) -> Double {
     if x.hi > 0.0 && x.hi.is_finite() {
         sqrt_of_positive(x)
     } else {
-        Pair::exact(libm::sqrt(x.hi))
+        Double::exact(libm::sqrt(x.hi))
     }
 }
 
@@ -28,10 +27,10 @@ pub(crate) fn sqrt(x: Double) -> Double {
 #[inline]
 pub(crate) fn cbrt(x: Double) -> Double {
     if !(x.hi > 0.0 && x.hi.is_finite()) {
-        return Pair::exact(libm::sqrt(x.hi));
+        return Double::exact(libm::sqrt(x.hi));
     }
     let root = cbrt::cbrt(x.hi);
-    let square = square_raw(Pair::exact(root));
-    let rest = gap(x, square.mul(Pair::exact(root)));
-    Pair::fast_sum(root, rest / (3.0 * square.hi))
+    let square = square_raw(Double::exact(root));
+    let rest = gap(x, product(square, Double::exact(root)));
+    Double::fast_two_sum(root, rest / (3.0 * square.hi))
 }

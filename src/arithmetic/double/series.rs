@@ -1,9 +1,8 @@
 //! Horner's rule in three accuracies: the further a coefficient, the smaller its share of the sum.
 
-use super::Double;
+use super::arith::Double;
 use super::arith::{add_raw, mul_raw, normalise};
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::poly::horner;
 
 /// A power series whose terms fall in size.
@@ -22,12 +21,12 @@ impl Series {
     pub(crate) fn sum(&self, x: Double) -> Double {
         let x_head = x.hi.leading_half();
         let x_rest = (x.hi - x_head) + x.lo;
-        let mut sum = Pair::exact(horner(x.hi, self.plain));
+        let mut sum = Double::exact(horner(x.hi, self.plain));
         for &c in self.middle.iter().rev() {
             // The leading halves have an exact product.
             let head = sum.hi.leading_half();
             let rest = (sum.hi - head) + sum.lo;
-            let product = Pair {
+            let product = Double {
                 hi: head * x_head,
                 lo: rest * x.hi + head * x_rest,
             };

@@ -4,8 +4,7 @@ extern crate std;
 
 use super::series::Series;
 use super::{Double, angle, arith, coefficients, disk, log_exp, root};
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::float::Float;
 use std::string::String;
 use std::vec::Vec;
 use std::{format, println};
@@ -30,10 +29,10 @@ const BOUNDS: &[(&str, f64)] = &[
     ("exp", -95.0),
     ("exp_m1", -98.0),
     ("tail_at_angle", -100.0),
-    ("tail_at_pair", -100.0),
+    ("tail_at_direction", -100.0),
     ("angle_at_tail", -101.0),
-    ("pair_at_tail cos", -101.0),
-    ("pair_at_tail sin", -101.0),
+    ("direction_at_tail cos", -101.0),
+    ("direction_at_tail sin", -101.0),
 ];
 
 struct Row<'a> {
@@ -51,7 +50,7 @@ fn rows() -> impl Iterator<Item = Row<'static>> {
             None | Some("") => 0.0,
             Some(hex) => f64::from_bits(u64::from_str_radix(hex, 16).unwrap()),
         };
-        let mut pair = || Pair {
+        let mut pair = || Double {
             hi: word(),
             lo: word(),
         };
@@ -88,14 +87,14 @@ fn call(row: &Row) -> Double {
         }
         "exp_m1" => log_exp::exp_m1(a),
         "tail_at_angle" => disk::tail_at_angle(a.hi),
-        "tail_at_pair" => disk::tail_at_pair(a, b),
+        "tail_at_direction" => disk::tail_at_direction(a, b),
         "angle_at_tail" => {
             let (x, at_end) = disk::angle_at_tail(a);
             assert_eq!(at_end, a.hi < 0.125);
             x
         }
-        "pair_at_tail cos" => disk::pair_at_tail(a).cos,
-        "pair_at_tail sin" => disk::pair_at_tail(a).sin,
+        "direction_at_tail cos" => disk::direction_at_tail(a).cos,
+        "direction_at_tail sin" => disk::direction_at_tail(a).sin,
         unknown => panic!("{unknown}"),
     }
 }
@@ -149,7 +148,7 @@ fn every_kernel_is_within_its_bound() {
 fn a_dropped_low_word_is_caught() {
     const PLANTED: Series = Series {
         full: &[
-            Pair {
+            Double {
                 hi: coefficients::SIN.full[0].hi,
                 lo: 0.0,
             },

@@ -22,13 +22,13 @@ pub(crate) fn tail_at_angle(a: f32) -> f32 {
 
 /// Nearer tail of the disk's law at a direction: p/cos³θ is analytic in sin θ on all of [0, 1].
 #[inline]
-pub(crate) fn tail_at_pair(cos: f32, sin: f32) -> f32 {
+pub(crate) fn tail_at_direction(cos: f32, sin: f32) -> f32 {
     cos * cos * cos * horner(sin, &TAIL_OF_SINE)
 }
 
 /// (cos θ, |sin θ|) at the nearer tail p ≤ ½.
 #[inline]
-pub(crate) fn pair_at_tail(p: f32) -> (f32, f32) {
+pub(crate) fn direction_at_tail(p: f32) -> (f32, f32) {
     let z = cbrt(p);
     let x = q16(z);
     let square = ((x as u32).wrapping_mul(x as u32) >> 16) as i32;

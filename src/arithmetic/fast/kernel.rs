@@ -1,59 +1,16 @@
 //! The formulas' arithmetic in `Fast<f32>`.
 
+use super::Fast;
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::fast::{angle, kepler, power, root};
-use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::native::trig;
 use crate::arithmetic::native::turn::into_quadrant;
-use crate::arithmetic::scalar::Scalar;
-use crate::number::Fast;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
-
-/// What rounding took does not count here: a number is its own wide type.
-impl Wide<Fast<f32>> for Fast<f32> {
-    #[inline(always)]
-    fn exact(x: Self) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn value(self) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn leading(self) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn sum(a: Self, b: Self) -> Self {
-        a + b
-    }
-    #[inline(always)]
-    fn neg(self) -> Self {
-        -self
-    }
-    #[inline(always)]
-    fn times(self, b: Self) -> Self {
-        self * b
-    }
-    #[inline(always)]
-    fn mul(self, b: Self) -> Self {
-        self * b
-    }
-    #[inline(always)]
-    fn add(self, b: Self) -> Self {
-        self + b
-    }
-    #[inline(always)]
-    fn div(self, b: Self) -> Self {
-        self / b
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Scalar::sqrt(self)
-    }
-}
 
 #[inline(always)]
 pub(crate) fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
@@ -177,12 +134,12 @@ impl Kernel for Fast<f32> {
         Fast(kepler::tail_at_angle(a.0))
     }
     #[inline(always)]
-    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self {
-        Fast(kepler::tail_at_pair(cos.0, sin.0))
+    fn disk_tail_at_direction(cos: Self, sin: Self) -> Self {
+        Fast(kepler::tail_at_direction(cos.0, sin.0))
     }
     #[inline(always)]
-    fn disk_pair_at_tail(p: Self) -> CosSin<Self> {
-        fast(kepler::pair_at_tail(p.0))
+    fn disk_direction_at_tail(p: Self) -> CosSin<Self> {
+        fast(kepler::direction_at_tail(p.0))
     }
     #[inline(always)]
     fn disk_angle_at_tail(p: Self) -> Self {

@@ -15,3 +15,120 @@ pub(crate) mod uniform;
 
 #[cfg(test)]
 mod tests;
+
+use crate::scalar::Scalar;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The cheapest tier: relative errors of about 2⁻¹² in densities and directions.
+///
+/// Sums of rounding errors are not carried, polynomials are short, and roots are integer
+/// arithmetic, so that a target without a floating-point unit gains most. Directions are unit vectors
+/// to 2⁻¹², inside the support, with positive density. Subnormal arguments are accepted; their
+/// accuracy is not promised. Quantiles may step back within their error.
+///
+/// Not every operation is cheaper than the plain type's on a host: the tables in
+/// [`accuracy`](crate::accuracy) say which are.
+///
+/// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ and one for the
+/// azimuth; the deepest tail drawn is 2⁻³³.
+///
+/// ```
+/// use coslobe::{Fast, Lambert, Law};
+/// let at = Lambert.warp(Fast(0.25f32));
+/// assert!((at.sin.0 - 0.5).abs() < 1e-4);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Fast<T>(pub T);
+
+impl Add for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        Fast(self.0 + b.0)
+    }
+}
+
+impl Sub for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        Fast(self.0 - b.0)
+    }
+}
+
+impl Mul for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        Fast(self.0 * b.0)
+    }
+}
+
+impl Div for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, b: Self) -> Self {
+        Fast(self.0 / b.0)
+    }
+}
+
+impl Neg for Fast<f32> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Fast(-self.0)
+    }
+}
+
+impl Scalar for Fast<f32> {
+    const ZERO: Self = Fast(0.0);
+    const QUARTER: Self = Fast(0.25);
+    const HALF: Self = Fast(0.5);
+    const ONE: Self = Fast(1.0);
+    const INFINITY: Self = Fast(f32::INFINITY);
+    const NAN: Self = Fast(f32::NAN);
+    const MIN_NORMAL: Self = Fast(f32::MIN_POSITIVE);
+    const MAX: Self = Fast(f32::MAX);
+    const HALF_PI_DOWN: Self = Fast(f32::HALF_PI_DOWN);
+
+    #[inline(always)]
+    fn int(n: i16) -> Self {
+        Fast(f32::from(n))
+    }
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        self.0.is_nan()
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Fast(self.0.abs())
+    }
+    #[inline(always)]
+    fn sign_bit(self) -> u32 {
+        self.0.sign_bit()
+    }
+    #[inline(always)]
+    fn swap_if_odd(n: u32, a: Self, b: Self) -> (Self, Self) {
+        let (a, b) = f32::swap_if_odd(n, a.0, b.0);
+        (Fast(a), Fast(b))
+    }
+    #[inline(always)]
+    fn negate_if_odd(self, n: u32) -> Self {
+        Fast(self.0.negate_if_odd(n))
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        Fast(self.0.copysign(sign.0))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Fast(root::sqrt(self.0))
+    }
+}

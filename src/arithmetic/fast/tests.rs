@@ -74,9 +74,9 @@ const ROWS: &[Row] = &[
     row("exp, x > 0", -14.1, (TINY, 88.7), (1e-3, 88.7), power::exp, libm::exp),
     row("one_minus_exp", -13.8, (TINY, MAX), (1e-3, 32.0), |x| power::one_minus_exp(-x), |x| -libm::expm1(-x)),
     row("tail_at_angle", -16.2, (TINY, END), (0.01, END), kepler::tail_at_angle, |x| tail(end(x))),
-    row("tail_at_pair", -13.2, (TINY, END), (0.01, END), |x| kepler::tail_at_pair(cos(x), sin(x)), |x| tail(end(x))),
-    row("pair_at_tail: cos", -13.1, (TINY, 0.5), (1e-3, 0.5), |p| kepler::pair_at_tail(p).0, |p| libm::sin(eta(p))),
-    row("pair_at_tail: sin", -13.2, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), |p| kepler::pair_at_tail(p).1, |p| libm::cos(eta(p))),
+    row("tail_at_direction", -13.2, (TINY, END), (0.01, END), |x| kepler::tail_at_direction(cos(x), sin(x)), |x| tail(end(x))),
+    row("direction_at_tail: cos", -13.1, (TINY, 0.5), (1e-3, 0.5), |p| kepler::direction_at_tail(p).0, |p| libm::sin(eta(p))),
+    row("direction_at_tail: sin", -13.2, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), |p| kepler::direction_at_tail(p).1, |p| libm::cos(eta(p))),
     row("angle_at_tail", -14.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), kepler::angle_at_tail, |p| FRAC_PI_2 - eta(p)),
 ];
 

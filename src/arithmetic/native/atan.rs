@@ -7,7 +7,7 @@ use crate::arithmetic::native::format::Native;
 
 /// θ of a unit vector with cos θ ≥ 0. Error < 1 ulp.
 #[inline]
-pub(crate) fn of_pair<T: Native>(at: CosSin<T>) -> T {
+pub(crate) fn of_direction<T: Native>(at: CosSin<T>) -> T {
     let (y, x) = (at.sin.abs(), at.cos);
     let steep = y > x;
     let (small, large) = if steep { (x, y) } else { (y, x) };
@@ -40,7 +40,7 @@ pub(crate) fn atan2<T: Native>(y: T, x: T) -> T {
 fn place<T: Native>(small: T, large: T, steep: bool, behind: bool) -> T {
     let bent = small > large * T::HALF;
     let top = T::select(bent, large - small, small);
-    let bottom = Pair::fast_sum(large, T::select(bent, small, T::ZERO));
+    let bottom = Pair::fast_two_sum(large, T::select(bent, small, T::ZERO));
     let q = top / bottom.hi;
     let v = q * q;
     // top − q·bottom, from halves whose products are exact.
@@ -61,7 +61,7 @@ fn place<T: Native>(small: T, large: T, steep: bool, behind: bool) -> T {
     let eighth = T::CONSTANTS.half_pi.half();
     let lead = eighth.hi.leading_half();
     let trail = (eighth.hi - lead) + eighth.lo;
-    let angle = Pair::fast_sum(eighths * lead, q);
+    let angle = Pair::fast_two_sum(eighths * lead, q);
     angle.hi + (angle.lo + (eighths * trail + rest))
 }
 

@@ -6,10 +6,10 @@ use crate::arithmetic::native::format::Native;
 /// Adds what rounding took from a cube root t = ∛x.
 #[inline]
 pub(crate) fn refine<T: Native>(t: T, x: T) -> Pair<T> {
-    let square = Pair::product(t, t);
+    let square = Pair::two_prod(t, t);
     let cube = square.mul(Pair::exact(t));
     let rest = ((x - cube.hi) - cube.lo) / (square.hi * T::int(3));
-    Pair::fast_sum(t, rest)
+    Pair::fast_two_sum(t, rest)
 }
 
 /// ∛(y·`CBRT_DOWN`³), for y = 0 and for normal y far from underflow and overflow.

@@ -2,8 +2,9 @@
 #![allow(clippy::approx_constant)] // the constants are the point
 
 use super::pair::Pair;
-use super::table::{Constants, Series, Table};
+use super::table::{Series, Table};
 use crate::Moments;
+use crate::arithmetic::constants::Constants;
 
 pub(crate) const CONSTANTS: Constants<Pair<f64>> = Constants {
     // pi / 2

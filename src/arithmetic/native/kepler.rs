@@ -19,7 +19,7 @@ pub(crate) fn tail_at_angle<T: Native>(a: T) -> T {
     let eta = from_end(a);
     let h = eta.hi * eta.hi;
     let c0 = T::CONSTANTS.two_over_three_pi;
-    let shape = Pair::fast_sum(c0.hi, c0.lo + h * horner(h, table.disk_tail));
+    let shape = Pair::fast_two_sum(c0.hi, c0.lo + h * horner(h, table.disk_tail));
     // d ln p / d ln η falls from 3 at the end to 2 at the axis, nearly linearly in η².
     let slope = T::int(3) - h * (T::int(2) / T::int(5));
     let cube = Pair {
@@ -31,7 +31,7 @@ pub(crate) fn tail_at_angle<T: Native>(a: T) -> T {
 
 /// Nearer tail of the disk's law at a direction, from the smaller of cos θ and |sin θ|.
 #[inline]
-pub(crate) fn tail_at_pair<T: Native>(cos: T, sin: T) -> T {
+pub(crate) fn tail_at_direction<T: Native>(cos: T, sin: T) -> T {
     let table = &T::TABLE;
     if cos <= sin {
         let w = cos * cos;
@@ -39,7 +39,7 @@ pub(crate) fn tail_at_pair<T: Native>(cos: T, sin: T) -> T {
         cos * w * (c0.hi + (c0.lo + w * horner(w, table.disk_tail_of_cos)))
     } else {
         let w = sin * sin;
-        let line = Pair::product(sin, T::CONSTANTS.two_over_pi.hi);
+        let line = Pair::two_prod(sin, T::CONSTANTS.two_over_pi.hi);
         let rest =
             sin * T::CONSTANTS.two_over_pi.lo + sin * w * horner(w, table.disk_centre_of_sin);
         (T::HALF - line.hi) - (line.lo + rest)
@@ -58,7 +58,7 @@ fn from_end_at<T: Native>(p: T) -> Pair<T> {
     let s = cbrt_times(T::CONSTANTS.twelve_pi, p);
     let t = s * s;
     let bend = by_fours(t, T::TABLE.kepler_tail);
-    Pair::fast_sum(s * T::HALF, s * t * bend)
+    Pair::fast_two_sum(s * T::HALF, s * t * bend)
 }
 
 /// The angle from the axis whose nearer tail is p ≥ ⅛, as d = ½ − p and the rest.
@@ -75,12 +75,12 @@ fn from_axis_at<T: Native>(p: T) -> (T, T) {
 
 /// (cos θ, |sin θ|) at the nearer tail p. Proved: errors ≤ 2.5 ulp (f64), ≤ 2.4 (f32).
 #[inline]
-pub(crate) fn pair_at_tail<T: Native>(p: T) -> CosSin<T> {
+pub(crate) fn direction_at_tail<T: Native>(p: T) -> CosSin<T> {
     let x = if p < split() {
         from_end_at(p)
     } else {
         let (d, rest) = from_axis_at(p);
-        Pair::fast_sum(d, rest)
+        Pair::fast_two_sum(d, rest)
     };
     let CosSin { cos, sin } = small(x);
     let (cos, sin) = T::swap_if_odd((p - split()).sign_bit(), cos.value(), sin.value());
@@ -92,7 +92,7 @@ pub(crate) fn pair_at_tail<T: Native>(p: T) -> CosSin<T> {
 pub(crate) fn angle_at_tail<T: Native>(p: T) -> T {
     if p < split() {
         let (eta, end) = (from_end_at(p), T::CONSTANTS.half_pi);
-        let theta = Pair::fast_sum(end.hi, -eta.hi);
+        let theta = Pair::fast_two_sum(end.hi, -eta.hi);
         theta.hi + (theta.lo + (end.lo - eta.lo))
     } else {
         let (d, rest) = from_axis_at(p);

@@ -21,8 +21,8 @@ pub(crate) fn cosine_integrals<T: Native>(n: T) -> (T, T) {
     let weighted = recip * horner(recip, T::TABLE.angle_integral);
     let (mut plain, mut weighted) = (Pair::exact(plain), Pair::exact(weighted));
     for _ in 0..steps {
-        let ratio = Pair::exact(top).div(Pair::sum(top, -T::ONE));
-        let square = Pair::exact(T::ONE).div(Pair::product(top, top));
+        let ratio = Pair::exact(top).div(Pair::two_sum(top, -T::ONE));
+        let square = Pair::exact(T::ONE).div(Pair::two_prod(top, top));
         plain = plain.mul(ratio);
         weighted = weighted.add(square).mul(ratio);
         top = top - T::int(2);

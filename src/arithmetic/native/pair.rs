@@ -1,6 +1,6 @@
 //! An unevaluated sum of two numbers, for the few places where one is not enough.
 
-use crate::arithmetic::native::format::Native;
+use super::float::Float;
 
 /// The value `hi + lo`, `lo` small against `hi`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -9,7 +9,7 @@ pub struct Pair<T> {
     pub(crate) lo: T,
 }
 
-impl<T: Native> Pair<T> {
+impl<T: Float> Pair<T> {
     #[inline(always)]
     pub(crate) fn exact(hi: T) -> Self {
         Pair { hi, lo: T::ZERO }
@@ -17,7 +17,7 @@ impl<T: Native> Pair<T> {
 
     /// a + b without error, for |a| ≥ |b| or a = 0.
     #[inline(always)]
-    pub(crate) fn fast_sum(a: T, b: T) -> Self {
+    pub(crate) fn fast_two_sum(a: T, b: T) -> Self {
         let hi = a + b;
         Pair {
             hi,
@@ -27,7 +27,7 @@ impl<T: Native> Pair<T> {
 
     /// a + b without error.
     #[inline(always)]
-    pub(crate) fn sum(a: T, b: T) -> Self {
+    pub(crate) fn two_sum(a: T, b: T) -> Self {
         let hi = a + b;
         let b_part = hi - a;
         Pair {
@@ -38,7 +38,7 @@ impl<T: Native> Pair<T> {
 
     /// a·b, to the square of the format's precision. Splits by masking bits, which cannot overflow.
     #[inline]
-    pub(crate) fn product(a: T, b: T) -> Self {
+    pub(crate) fn two_prod(a: T, b: T) -> Self {
         let hi = a * b;
         let (ah, bh) = (a.leading_half(), b.leading_half());
         let (al, bl) = (a - ah, b - bh);
@@ -80,21 +80,21 @@ impl<T: Native> Pair<T> {
 
     #[inline]
     pub(crate) fn mul(self, b: Self) -> Self {
-        let p = Self::product(self.hi, b.hi);
-        Self::fast_sum(p.hi, p.lo + (self.hi * b.lo + self.lo * b.hi))
+        let p = Self::two_prod(self.hi, b.hi);
+        Self::fast_two_sum(p.hi, p.lo + (self.hi * b.lo + self.lo * b.hi))
     }
 
     #[inline]
     pub(crate) fn add(self, b: Self) -> Self {
-        let s = Self::sum(self.hi, b.hi);
-        Self::fast_sum(s.hi, s.lo + (self.lo + b.lo))
+        let s = Self::two_sum(self.hi, b.hi);
+        Self::fast_two_sum(s.hi, s.lo + (self.lo + b.lo))
     }
 
     #[inline]
     pub(crate) fn div(self, b: Self) -> Self {
         let q = self.hi / b.hi;
-        let p = Self::product(q, b.hi);
+        let p = Self::two_prod(q, b.hi);
         let rest = ((self.hi - p.hi) - p.lo) + (self.lo - q * b.lo);
-        Self::fast_sum(q, rest / b.hi)
+        Self::fast_two_sum(q, rest / b.hi)
     }
 }

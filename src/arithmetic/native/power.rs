@@ -14,7 +14,7 @@ fn ln_scaled<T: Native>(f: Pair<T>, e: i32) -> Pair<T> {
     let z = f.div(Pair::exact(T::int(2)).add(f));
     let w = z.mul(z);
     let atanh = z.mul(w).mul(horner_pair(w, &T::TABLE.atanh_series)).add(z);
-    let e = Pair::exact(T::of_i32(e));
+    let e = Pair::exact(T::from_i32(e));
     atanh.add(atanh).add(e.mul(T::CONSTANTS.ln_2))
 }
 
@@ -22,7 +22,7 @@ fn ln_scaled<T: Native>(f: Pair<T>, e: i32) -> Pair<T> {
 #[inline]
 pub(crate) fn ln<T: Native>(x: Pair<T>) -> Pair<T> {
     let (m, e) = x.hi.split();
-    ln_scaled(Pair::sum(m - T::ONE, x.lo.scale(-e)), e)
+    ln_scaled(Pair::two_sum(m - T::ONE, x.lo.scale(-e)), e)
 }
 
 /// ln cos θ for cos θ > 0, from the smaller of cosine and sine.
@@ -72,7 +72,7 @@ pub(crate) fn exp_times<T: Native>(a: Pair<T>, c: Pair<T>) -> T {
     }
     let turns = a.hi / T::CONSTANTS.ln_2.hi;
     let n = (turns + T::HALF.copysign(turns)).to_i32();
-    let r = a.add(Pair::exact(T::of_i32(-n)).mul(T::CONSTANTS.ln_2));
+    let r = a.add(Pair::exact(T::from_i32(-n)).mul(T::CONSTANTS.ln_2));
     let m = r.hi.exp();
     (c.value() * (m + m * r.lo)).scale(n)
 }

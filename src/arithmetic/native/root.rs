@@ -7,7 +7,7 @@ use crate::arithmetic::native::format::Native;
 #[inline]
 pub(crate) fn sqrt_pair<T: Native>(x: Pair<T>) -> T {
     let root = x.hi.sqrt();
-    let square = Pair::product(root, root);
+    let square = Pair::two_prod(root, root);
     root + ((x.hi - square.hi) - square.lo + x.lo) / (root + root)
 }
 

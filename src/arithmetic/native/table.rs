@@ -1,4 +1,4 @@
-//! The constants and coefficients that a format brings to the kernels.
+//! The coefficients that a format brings to the kernels.
 
 use super::pair::Pair;
 use crate::Moments;
@@ -7,24 +7,6 @@ use crate::Moments;
 pub(crate) struct Series<T: 'static> {
     pub(crate) head: &'static [Pair<T>],
     pub(crate) tail: &'static [T],
-}
-
-/// Exact constants, each as wide as the arithmetic asks.
-pub struct Constants<P> {
-    pub(crate) half_pi: P,
-    pub(crate) two_pi: P,
-    pub(crate) pi: P,
-    pub(crate) recip_pi: P,
-    pub(crate) two_over_pi: P,
-    pub(crate) recip_two_pi: P,
-    pub(crate) twelve_pi: P,
-    pub(crate) three_over_two_pi: P,
-    pub(crate) two_over_three_pi: P,
-    pub(crate) ln_2: P,
-    pub(crate) ln_two_pi: P,
-    pub(crate) ln_pi: P,
-    pub(crate) ln_two_over_pi: P,
-    pub(crate) ln_three_over_two_pi: P,
 }
 
 /// Moments and coefficients of a format; `table_f32.rs` and `table_f64.rs` say what each approximates.

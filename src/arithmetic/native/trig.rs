@@ -31,8 +31,8 @@ pub(crate) fn ln_cos<T: Native>(at: CosSin<Pair<T>>) -> T {
 /// lose its own digits where θ runs into ±π/2.
 #[inline(always)]
 pub(crate) fn from_end<T: Native>(a: T) -> Pair<T> {
-    let d = Pair::fast_sum(T::CONSTANTS.half_pi.hi, -a);
-    Pair::fast_sum(d.hi, d.lo + T::CONSTANTS.half_pi.lo)
+    let d = Pair::fast_two_sum(T::CONSTANTS.half_pi.hi, -a);
+    Pair::fast_two_sum(d.hi, d.lo + T::CONSTANTS.half_pi.lo)
 }
 
 /// The angle folded to [0, π/4], and whether cosine and sine change places for it.
@@ -59,8 +59,8 @@ pub(crate) fn small<T: Native>(x: Pair<T>) -> CosSin<Pair<T>> {
     let rest = x.lo * w + x.hi * v * horner(v, T::TABLE.sin);
     let cos_rest = ((T::ONE - w) - half_v) + (v * v * horner(v, T::TABLE.cos) - x.hi * x.lo);
     CosSin {
-        cos: Pair::fast_sum(w, cos_rest),
-        sin: Pair::fast_sum(x.hi, rest),
+        cos: Pair::fast_two_sum(w, cos_rest),
+        sin: Pair::fast_two_sum(x.hi, rest),
     }
 }
 

@@ -4,7 +4,7 @@ use super::pair::Pair;
 use super::poly::horner;
 use crate::CosSin;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 
 /// (cos, sin) of 2πx = `slope`·`arg` for |x| ≤ 1/8, where `slope` is 2π times `share`.
 #[inline(always)]

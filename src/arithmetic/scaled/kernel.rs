@@ -2,13 +2,11 @@
 //! then exact to all digits.
 
 use super::{DIGITS, Scaled};
+use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::kernel::Kernel;
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::native::table::Constants;
 use crate::arithmetic::native::turn::into_quadrant;
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// Angles below 2 to the minus this have the cosine 1, and themselves as sine, to all digits.
@@ -34,7 +32,7 @@ const fn constants(c: &Constants<Double>) -> Constants<Scaled> {
 }
 
 fn pair(at: CosSin<Double>) -> CosSin<Scaled> {
-    CosSin::of_array(at.to_array().map(Scaled::of_double))
+    CosSin::from_array(at.to_array().map(Scaled::from_double))
 }
 
 /// The angle of (x, y), neither of them 0, ∞ or NaN, and so far apart that atan r = r.
@@ -59,7 +57,7 @@ fn disk_end(p: Scaled) -> Scaled {
 impl Kernel for Scaled {
     type Wide = Scaled;
 
-    const CONSTANTS: Constants<Scaled> = constants(&<f64 as Native>::CONSTANTS);
+    const CONSTANTS: Constants<Scaled> = constants(&Double::CONSTANTS);
 
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
         f(a).sqrt()
@@ -76,10 +74,10 @@ impl Kernel for Scaled {
     }
     fn ln(self) -> Self {
         if self.exponent.abs() <= DIGITS {
-            return Self::of_double(log_exp::ln(self.double()));
+            return Self::from_double(log_exp::ln(self.double()));
         }
-        let e = Pair::exact(f64::from(self.exponent));
-        Self::of_double(Double::CONSTANTS.ln_2 * e + log_exp::ln(self.part))
+        let e = Double::exact(f64::from(self.exponent));
+        Self::from_double(Double::CONSTANTS.ln_2 * e + log_exp::ln(self.part))
     }
     fn ln_cos(at: CosSin<Self>) -> Self {
         if at.cos < at.sin {
@@ -87,23 +85,23 @@ impl Kernel for Scaled {
         } else if at.sin.is_below(-HALF_DIGITS) {
             -(at.sin * at.sin) * Self::HALF
         } else {
-            Self::of_double(log_exp::ln_1p((-(at.sin * at.sin)).double())) * Self::HALF
+            Self::from_double(log_exp::ln_1p((-(at.sin * at.sin)).double())) * Self::HALF
         }
     }
     fn atan2(self, x: Self) -> Self {
         let apart = self.exponent - x.exponent;
         if !(self.is_ordinary() && x.is_ordinary()) {
             // The sizes do not count beside 0 and ∞.
-            Self::of_double(angle::atan2(self.part, x.part))
+            Self::from_double(angle::atan2(self.part, x.part))
         } else if apart.abs() > DIGITS {
             atan2_far_apart(self, x)
         } else {
             let [y, x] = [self, x].map(|c| c.times_power(-x.exponent).double());
-            Self::of_double(angle::atan2(y, x))
+            Self::from_double(angle::atan2(y, x))
         }
     }
     fn from_end(a: Self) -> Self {
-        Self::of_double(angle::from_end(a.double().hi))
+        Self::from_double(angle::from_end(a.double().hi))
     }
     fn at_angle(theta: Self) -> CosSin<Self> {
         if theta.is_below(-HALF_DIGITS) {
@@ -143,29 +141,29 @@ impl Kernel for Scaled {
         }
     }
     fn disk_tail_at_angle(a: Self) -> Self {
-        Self::of_double(disk::tail_at_angle(a.double().hi))
+        Self::from_double(disk::tail_at_angle(a.double().hi))
     }
-    fn disk_tail_at_pair(cos: Self, sin: Self) -> Self {
+    fn disk_tail_at_direction(cos: Self, sin: Self) -> Self {
         if cos.is_below(-HALF_DIGITS) {
             cos * cos * cos * Self::CONSTANTS.two_over_three_pi
         } else {
-            Self::of_double(disk::tail_at_pair(cos.double(), sin.double()))
+            Self::from_double(disk::tail_at_direction(cos.double(), sin.double()))
         }
     }
-    fn disk_pair_at_tail(p: Self) -> CosSin<Self> {
+    fn disk_direction_at_tail(p: Self) -> CosSin<Self> {
         if p.is_below(-2 * DIGITS) {
             return CosSin {
                 cos: disk_end(p),
                 sin: Self::ONE,
             };
         }
-        pair(disk::pair_at_tail(p.double()))
+        pair(disk::direction_at_tail(p.double()))
     }
     fn disk_angle_at_tail(p: Self) -> Self {
         if p.is_below(-2 * DIGITS) {
             return Self::CONSTANTS.half_pi - disk_end(p);
         }
-        Self::of_double(Double::disk_angle_at_tail(p.double()))
+        Self::from_double(Double::disk_angle_at_tail(p.double()))
     }
     fn ln_wide(x: Self) -> Self {
         Kernel::ln(x)
@@ -193,7 +191,7 @@ impl Kernel for Scaled {
             return -a;
         }
         // Of an exact 0, the positive one.
-        Self::of_double(log_exp::exp_m1(a.double())).abs()
+        Self::from_double(log_exp::exp_m1(a.double())).abs()
     }
     fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
         let (lower, upper) = (p.lower(), p.upper());
@@ -208,7 +206,7 @@ impl Kernel for Scaled {
         } else if lower.is_below(-DIGITS) {
             -lower
         } else {
-            Self::of_double(log_exp::ln_1p(-lower.double()))
+            Self::from_double(log_exp::ln_1p(-lower.double()))
         };
         let a = log / n;
         CosSin {

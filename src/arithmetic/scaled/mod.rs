@@ -7,13 +7,8 @@ mod tests;
 
 use crate::arithmetic::double::arith::scaled;
 use crate::arithmetic::double::{Double, root};
-use crate::arithmetic::kernel::Wide;
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
-use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::Holds;
-use crate::number::Precise;
-use crate::number::f64::power_of_two;
+use crate::arithmetic::native::f64::power_of_two;
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -36,7 +31,7 @@ impl Scaled {
         let e = ((part.hi.to_bits() >> 52) & 0x7FF) as i32 - 1023;
         if part.hi == 0.0 || e == 1024 {
             return Scaled {
-                part: Pair {
+                part: Double {
                     hi: part.hi,
                     lo: 0.0,
                 },
@@ -47,7 +42,7 @@ impl Scaled {
         if e > 900 || e < -900 {
             let step = if e > 0 { -200 } else { 200 };
             let power = power_of_two(step);
-            let part = Pair {
+            let part = Double {
                 hi: part.hi * power,
                 lo: part.lo * power,
             };
@@ -56,7 +51,7 @@ impl Scaled {
         if exponent + e > MOST || exponent + e < -MOST {
             let beyond = if exponent + e > 0 { f64::INFINITY } else { 0.0 };
             return Scaled {
-                part: Pair {
+                part: Double {
                     hi: if part.hi < 0.0 { -beyond } else { beyond },
                     lo: 0.0,
                 },
@@ -65,7 +60,7 @@ impl Scaled {
         }
         let power = power_of_two(-e);
         Scaled {
-            part: Pair {
+            part: Double {
                 hi: part.hi * power,
                 lo: part.lo * power,
             },
@@ -73,7 +68,7 @@ impl Scaled {
         }
     }
 
-    pub(crate) fn of_double(x: Double) -> Self {
+    pub(crate) fn from_double(x: Double) -> Self {
         Self::new(x, 0)
     }
 
@@ -117,7 +112,7 @@ impl Add for Scaled {
             } else if b.part.hi == 0.0 && self.is_ordinary() {
                 self
             } else {
-                Self::new(Pair::exact(self.part.hi + b.part.hi), 0)
+                Self::new(Double::exact(self.part.hi + b.part.hi), 0)
             };
         }
         let (large, small) = if self.exponent < b.exponent {
@@ -191,10 +186,10 @@ impl Scalar for Scaled {
     const NAN: Self = Self::new(Double::NAN, 0);
     const MIN_NORMAL: Self = Self::new(Double::MIN_NORMAL, 0);
     const MAX: Self = Self::new(Double::MAX, 0);
-    const HALF_PI_DOWN: Self = Self::new(<f64 as Native>::CONSTANTS.half_pi, 0);
+    const HALF_PI_DOWN: Self = Self::new(Double::HALF_PI_DOWN, 0);
 
     fn int(n: i16) -> Self {
-        Self::of_double(Double::int(n))
+        Self::from_double(Double::int(n))
     }
     fn is_nan(self) -> bool {
         self.part.is_nan()
@@ -229,45 +224,5 @@ impl Scalar for Scaled {
     fn sqrt(self) -> Self {
         let (part, e) = self.split_by(2);
         Self::new(root::sqrt(part), e)
-    }
-}
-
-/// It carries its own trailing digits, so that it is its own wide type.
-impl Wide<Scaled> for Scaled {
-    fn exact(x: Self) -> Self {
-        x
-    }
-    fn value(self) -> Self {
-        self
-    }
-    fn leading(self) -> Self {
-        self
-    }
-    fn sum(a: Self, b: Self) -> Self {
-        a + b
-    }
-    fn neg(self) -> Self {
-        -self
-    }
-    fn times(self, b: Self) -> Self {
-        self * b
-    }
-    fn mul(self, b: Self) -> Self {
-        self * b
-    }
-    fn add(self, b: Self) -> Self {
-        self + b
-    }
-    fn div(self, b: Self) -> Self {
-        self / b
-    }
-    fn sqrt(self) -> Self {
-        Scalar::sqrt(self)
-    }
-}
-
-impl Holds<Precise<f64>> for Scaled {
-    fn of(x: Precise<f64>) -> Self {
-        Self::new(Pair::exact(x.0), 0)
     }
 }

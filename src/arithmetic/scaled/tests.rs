@@ -39,8 +39,8 @@ fn kernels<W: Kernel<Wide = W>>(x: W) -> Vec<W> {
         W::ONE.atan2(-x),
         W::from_end(x),
         W::disk_tail_at_angle(x),
-        W::disk_tail_at_pair(x, W::ONE),
-        W::disk_tail_at_pair(W::ONE, x),
+        W::disk_tail_at_direction(x, W::ONE),
+        W::disk_tail_at_direction(W::ONE, x),
         W::disk_angle_at_tail(x),
         W::exp_times(-x, seven),
         W::exp_times(seven, x),
@@ -52,7 +52,7 @@ fn kernels<W: Kernel<Wide = W>>(x: W) -> Vec<W> {
         W::at_quadrant(3, x * W::QUARTER),
         W::at_turn(x),
         W::half_turn(x),
-        W::disk_pair_at_tail(x),
+        W::disk_direction_at_tail(x),
         W::power_warp(Tails::from_nearer(x, true), seven),
         W::power_warp(Tails::from_nearer(x, false), seven),
     ] {
@@ -66,11 +66,15 @@ fn agrees_with_double_double() {
     for e in 1..=200 {
         for part in [1.0, 1.37, 1.999] {
             let x = part * power_of_two(-1 - e);
-            let scaled = kernels(Scaled::new(Pair::exact(x), 0));
-            for (i, (s, d)) in scaled.into_iter().zip(kernels(Pair::exact(x))).enumerate() {
-                let d = Scaled::of_double(d);
+            let scaled = kernels(Scaled::new(Double::exact(x), 0));
+            for (i, (s, d)) in scaled
+                .into_iter()
+                .zip(kernels(Double::exact(x)))
+                .enumerate()
+            {
+                let d = Scaled::from_double(d);
                 let rest = (s - d) / d;
-                let near = s == d || rest.abs() < Scaled::new(Pair::exact(1.0), -90);
+                let near = s == d || rest.abs() < Scaled::new(Double::exact(1.0), -90);
                 assert!(near, "kernel {i} at {x:e}: {s:?} and {d:?}");
             }
         }
@@ -99,9 +103,9 @@ fn the_ends_are_total() {
 #[test]
 fn a_difference_of_trailing_words_is_not_lost() {
     let small = power_of_two(-70);
-    let x = Pair { hi: 1.0, lo: small };
-    assert_eq!(x - Double::ONE, Pair::exact(small));
-    let rest = Scaled::of_double(x) - Scaled::ONE;
-    assert_eq!(rest, Scaled::of_double(Pair::exact(small)));
-    assert!(Scaled::ONE < Scaled::of_double(x));
+    let x = Double { hi: 1.0, lo: small };
+    assert_eq!(x - Double::ONE, Double::exact(small));
+    let rest = Scaled::from_double(x) - Scaled::ONE;
+    assert_eq!(rest, Scaled::from_double(Double::exact(small)));
+    assert!(Scaled::ONE < Scaled::from_double(x));
 }

@@ -1,7 +1,8 @@
 //! The high half of a product.
 
-/// A Cortex-M0 multiplies 32 bits by 32 to 32 and calls a routine for 64. `rustc` shows no name for
-/// that; among Arm targets, lacking atomic swaps goes with it. (ARMv5 lacks them too: there this costs time, no bits.)
+/// A Cortex-M0 multiplies 32 bits by 32 to 32 and calls a routine for 64. `rustc` shows no name
+/// for that; among Arm targets, lacking atomic swaps goes with it. (ARMv5 lacks them too: there
+/// this costs time, no bits.)
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 mod of {
     /// ⌊a b / 2³²⌋ from four products of 16 bits.
@@ -34,8 +35,8 @@ mod of {
 
 pub(crate) use of::{mul_high, mul_high_signed};
 
-/// The low half of `b` is taken as a signed number, so that LLVM does not find a long product in this and call the
-/// routine after all.
+/// The low half of `b` is taken as a signed number, so that LLVM does not find a long product in
+/// this and call the routine after all.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
 fn by_halves(a: u32, b: u32) -> u32 {

@@ -3,7 +3,8 @@
 use super::mul::{mul_high, mul_high_signed};
 
 /// Coefficients in one format, the leading one first. The sums of `small` are short enough for a
-/// single 32-bit product with the upper half of x; from `large` on a step is the high half of a long one.
+/// single 32-bit product with the upper half of x; from `large` on a step is the high half of a
+/// long one.
 pub(crate) struct Polynomial<T, const SMALL: usize, const LARGE: usize> {
     pub(crate) small: [T; SMALL],
     pub(crate) large: [T; LARGE],

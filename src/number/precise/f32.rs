@@ -3,27 +3,27 @@
 use super::Precise;
 use crate::arithmetic::double::Double;
 use crate::arithmetic::double::nearest::Grid;
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
-use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::uniform::f32::parts_of_turn;
-use crate::arithmetic::scalar::Scalar;
-use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
-use crate::number::f64::power_of_two;
+use crate::number::tier::{Margin, Tier};
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
 impl Holds<Precise<f32>> for f64 {
     #[inline(always)]
-    fn of(x: Precise<f32>) -> f64 {
+    fn from_number(x: Precise<f32>) -> f64 {
         f64::from(x.0)
     }
 }
 
 impl Holds<Precise<f32>> for Double {
     #[inline(always)]
-    fn of(x: Precise<f32>) -> Double {
-        Pair::exact(f64::from(x.0))
+    fn from_number(x: Precise<f32>) -> Double {
+        Double::exact(f64::from(x.0))
     }
 }
 
@@ -51,8 +51,8 @@ fn decided(y: f64, margin: Margin) -> Option<f32> {
 }
 
 #[cold]
-fn decide<const N: usize>(fine: impl FnOnce() -> [Double; N]) -> [Precise<f32>; N] {
-    fine().map(|x| Precise(nearest_f32(x)))
+fn decide<const N: usize>(accurate: impl FnOnce() -> [Double; N]) -> [Precise<f32>; N] {
+    accurate().map(|x| Precise(nearest_f32(x)))
 }
 
 impl Real for Precise<f32> {}
@@ -66,7 +66,7 @@ impl From<Precise<f32>> for f64 {
 
 impl Tier for Precise<f32> {
     type Quick = f64;
-    type Work = Double;
+    type Accurate = Double;
     type Base = f64;
 
     const UNIT_SLACK: f64 = power_of_two(-18);
@@ -77,13 +77,13 @@ impl Tier for Precise<f32> {
     fn rounded<const N: usize>(
         margin: Margin,
         quick: impl FnOnce() -> [f64; N],
-        fine: impl FnOnce() -> [Double; N],
+        accurate: impl FnOnce() -> [Double; N],
     ) -> [Self; N] {
         let mut out = [Self::ZERO; N];
         for (out, y) in out.iter_mut().zip(quick()) {
             match decided(y, margin) {
                 Some(x) => *out = Precise(x),
-                None => return decide(fine),
+                None => return decide(accurate),
             }
         }
         out
@@ -95,7 +95,7 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn of_base(x: f64) -> Self {
+    fn from_base(x: f64) -> Self {
         Precise(x as f32)
     }
 
@@ -110,18 +110,18 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn tails_of(bits: u64) -> Tails<Self> {
-        Tails::of_array(f32::tails_of(bits).to_array().map(Precise))
+    fn tails_from_bits(bits: u64) -> Tails<Self> {
+        Tails::from_array(f32::tails_from_bits(bits).to_array().map(Precise))
     }
 
     #[inline]
-    fn turn_of(bits: u32) -> CosSin<Self> {
+    fn turn_from_bits(bits: u32) -> CosSin<Self> {
         let (quadrant, part) = parts_of_turn(bits);
         let x = f64::from(part) * power_of_two(-33);
-        CosSin::of_array(Self::rounded(
+        CosSin::from_array(Self::rounded(
             Margin::Relative,
             || f64::at_quadrant(quadrant, x).to_array(),
-            || Double::at_quadrant(quadrant, Pair::exact(x)).to_array(),
+            || Double::at_quadrant(quadrant, Double::exact(x)).to_array(),
         ))
     }
 }

@@ -3,14 +3,14 @@
 use super::Precise;
 use crate::arithmetic::double::Double;
 use crate::arithmetic::double::nearest::{Grid, is_moderate};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
-use crate::arithmetic::native::pair::Pair;
+use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::uniform::f64::parts_of_turn;
-use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::scaled::Scaled;
-use crate::arithmetic::tier::{Holds, Margin, Tier};
 use crate::number::Real;
-use crate::number::f64::power_of_two;
+use crate::number::tier::{Margin, Tier};
+use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -18,12 +18,18 @@ impl Holds<Precise<f64>> for Double {
     /// NaN for what is too small or too large to be multiplied with all digits: as the laws give NaN
     /// for NaN, the quick result is then not taken.
     #[inline(always)]
-    fn of(x: Precise<f64>) -> Double {
-        Pair::exact(if x.0 == 0.0 || is_moderate(x.0) {
+    fn from_number(x: Precise<f64>) -> Double {
+        Double::exact(if x.0 == 0.0 || is_moderate(x.0) {
             x.0
         } else {
             f64::NAN
         })
+    }
+}
+
+impl Holds<Precise<f64>> for Scaled {
+    fn from_number(x: Precise<f64>) -> Self {
+        Self::new(Double::exact(x.0), 0)
     }
 }
 
@@ -37,8 +43,8 @@ fn nearest_f64(x: Scaled) -> f64 {
 }
 
 #[cold]
-fn decide<const N: usize>(fine: impl FnOnce() -> [Scaled; N]) -> [Precise<f64>; N] {
-    fine().map(|x| Precise(nearest_f64(x)))
+fn decide<const N: usize>(accurate: impl FnOnce() -> [Scaled; N]) -> [Precise<f64>; N] {
+    accurate().map(|x| Precise(nearest_f64(x)))
 }
 
 impl Real for Precise<f64> {}
@@ -52,7 +58,7 @@ impl From<Precise<f64>> for f64 {
 
 impl Tier for Precise<f64> {
     type Quick = Double;
-    type Work = Scaled;
+    type Accurate = Scaled;
     type Base = f64;
 
     const UNIT_SLACK: f64 = power_of_two(-34);
@@ -63,12 +69,12 @@ impl Tier for Precise<f64> {
     fn rounded<const N: usize>(
         _: Margin,
         quick: impl FnOnce() -> [Double; N],
-        fine: impl FnOnce() -> [Scaled; N],
+        accurate: impl FnOnce() -> [Scaled; N],
     ) -> [Self; N] {
         let mut out = [Self::ZERO; N];
         for (out, y) in out.iter_mut().zip(quick()) {
             if !is_moderate(y.hi) {
-                return decide(fine);
+                return decide(accurate);
             }
             *out = Precise(y.hi + y.lo);
         }
@@ -81,7 +87,7 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn of_base(x: f64) -> Self {
+    fn from_base(x: f64) -> Self {
         Precise(x)
     }
 
@@ -96,20 +102,20 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn tails_of(bits: u128) -> Tails<Self> {
-        Tails::of_array(f64::tails_of(bits).to_array().map(Precise))
+    fn tails_from_bits(bits: u128) -> Tails<Self> {
+        Tails::from_array(f64::tails_from_bits(bits).to_array().map(Precise))
     }
 
     #[inline]
-    fn turn_of(bits: u64) -> CosSin<Self> {
+    fn turn_from_bits(bits: u64) -> CosSin<Self> {
         let (quadrant, part) = parts_of_turn(bits);
         let hi = part as f64;
         let lo = (part - hi as i64) as f64;
-        let x = Pair { hi, lo } * Pair::exact(power_of_two(-65));
-        CosSin::of_array(Self::rounded(
+        let x = Double { hi, lo } * Double::exact(power_of_two(-65));
+        CosSin::from_array(Self::rounded(
             Margin::Relative,
             || Double::at_quadrant(quadrant, x).to_array(),
-            || Scaled::at_quadrant(quadrant, Scaled::of_double(x)).to_array(),
+            || Scaled::at_quadrant(quadrant, Scaled::from_double(x)).to_array(),
         ))
     }
 }

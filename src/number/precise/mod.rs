@@ -3,7 +3,7 @@
 mod f32;
 mod f64;
 
-use crate::arithmetic::scalar::Scalar;
+use crate::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The most accurate tier of a format: the laws' results are rounded once, from wider arithmetic.

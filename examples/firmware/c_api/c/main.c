@@ -1,5 +1,5 @@
 /* Every function of coslobe.h on a few inputs, its results as bit patterns; the same program on a host and
- * on boards. examples/on_target/c.rs compares what it prints with what Rust computes. */
+ * on boards. tools/on_target/src/c.rs compares what it prints with what Rust computes. */
 #include "../coslobe.h"
 #include "platform.h"
 

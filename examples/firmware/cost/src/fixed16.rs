@@ -2,7 +2,7 @@
 
 use crate::Meter;
 use crate::fixed::{pairs, probabilities, turns};
-use coslobe::fixed16::Fixed16Law;
+use coslobe::fixed::Fixed16Law;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::{I0F16, I1F15, U0F16};
 use rand_pcg::Pcg32;

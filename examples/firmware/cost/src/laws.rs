@@ -9,7 +9,7 @@ use coslobe::{
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
-/// Exponent of the power law that is counted: that of `examples/accuracy_cost`.
+/// Exponent of the power law that is counted: that of `tools/accuracy_cost`.
 pub(crate) const EXPONENT: f64 = 20.0;
 
 /// A number type that the inputs are rounded to.

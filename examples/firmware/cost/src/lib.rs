@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Ticks are of `REPEATS` calls of one input: so many that a call's instructions are the rounded quotient. The
-//! host takes off those of a call of a function that only returns (`examples/on_target/cost`).
+//! host takes off those of a call of a function that only returns (`tools/on_target/src/cost`).
 #![no_std]
 
 mod fixed;

@@ -3,7 +3,7 @@
 #![no_main]
 
 use board::{Console, arguments, exit};
-use coslobe_common::{Answer, answer};
+use kit::{Answer, answer};
 
 mod number {
     include!(concat!(env!("OUT_DIR"), "/number.rs"));

@@ -3,7 +3,7 @@
 #![no_main]
 
 use board::{Console, exit};
-use coslobe_common::directions;
+use kit::directions;
 
 mod subject {
     include!(concat!(env!("OUT_DIR"), "/subject.rs"));

@@ -4,8 +4,8 @@
 use ::fixed::traits::Fixed as Format;
 use ::fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};
 use core::convert::Infallible;
+use coslobe::fixed::Fixed16Law;
 use coslobe::fixed::FixedLaw;
-use coslobe::fixed16::Fixed16Law;
 use coslobe::rand_core::TryRng;
 use coslobe::*;
 

@@ -1,12 +1,11 @@
 //! Power-on: is the generator sound, and do the samplers yield their laws? `cargo run -p self_test` checks
-//! a good generator; `cargo run -p self_test stuck` one that is stuck. The cases are in cases.rs.
+//! a good generator; `cargo run -p self_test stuck` one that is stuck. The cases are in the kit.
 #![no_std]
 #![no_main]
 
-mod cases;
-
 use defmt::{error, info};
 use defmt_semihosting as _; // carries what defmt logs to the emulator's output
+use kit::self_test as cases;
 
 #[board::entry]
 fn main() -> ! {

@@ -19,15 +19,15 @@ fn total() {
         |x| angle::sin_cos(x).1,
         |x| angle::eighth_turn(x).0,
         |x| angle::half_turn(x).1,
-        |x| kepler::pair_at_tail(x).0,
-        |x| kepler::pair_at_tail(x).1,
+        |x| kepler::direction_at_tail(x).0,
+        |x| kepler::direction_at_tail(x).1,
     ];
     let twos: [fn(f32, f32) -> f32; 5] = [
         angle::atan2_first,
         angle::atan2,
         power::ln_upper,
         power::ln_cos,
-        kepler::tail_at_pair,
+        kepler::tail_at_direction,
     ];
     for bits in (0..=u32::MAX).step_by(9973) {
         let x = f32::from_bits(bits);
@@ -78,7 +78,7 @@ fn special_values() {
         (0.0, END)
     );
     assert!((angle::atan2_first(inf, inf) - half / 2.0).abs() < 1e-4);
-    assert_eq!(kepler::pair_at_tail(0.0).0, 0.0);
-    assert_eq!(kepler::pair_at_tail(0.5).1, 0.0);
+    assert_eq!(kepler::direction_at_tail(0.0).0, 0.0);
+    assert_eq!(kepler::direction_at_tail(0.5).1, 0.0);
     assert!(angle::sin_cos(END).0 > 0.0 && kepler::tail_at_angle(END) > 0.0);
 }

@@ -1,7 +1,7 @@
 //! `f64`.
 
 use super::BY_SUMS;
-use crate::number::f64::power_of_two;
+use crate::arithmetic::native::f64::power_of_two;
 
 /// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2⁵² become multiples of 2ⁿ.
 const fn carrier(ulp: i32) -> u64 {

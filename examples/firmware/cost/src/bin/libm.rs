@@ -6,5 +6,5 @@ use cost::peers;
 
 #[board::entry]
 fn main() -> ! {
-    cost::run(peers::every_law::<peers::formulas::Libm>)
+    cost::run(peers::every_law::<kit::formulas::Libm>)
 }

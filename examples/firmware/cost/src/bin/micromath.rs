@@ -6,5 +6,5 @@ use cost::peers;
 
 #[board::entry]
 fn main() -> ! {
-    cost::run(peers::every_law::<peers::formulas::Micromath>)
+    cost::run(peers::every_law::<kit::formulas::Micromath>)
 }

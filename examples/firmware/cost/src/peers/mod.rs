@@ -1,12 +1,10 @@
 //! What others would write, and what the generator costs by itself.
 
-pub mod formulas;
-
 use crate::Meter;
 use crate::generator::Generator;
 use crate::inputs::{angles, probabilities};
 use coslobe::rand_core::Rng;
-use formulas::{Maths, Plane, Space, lambert_by_idsp};
+use kit::formulas::{Maths, Plane, Space, lambert_by_idsp};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 

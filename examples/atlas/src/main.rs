@@ -1,0 +1,78 @@
+//! An atlas of the laws: samples each of them, checks the samples, and draws a page.
+//!
+//! `cargo run --release -p atlas` prints a table and writes `atlas/index.html`.
+
+mod args;
+mod catalog;
+mod errors;
+mod figure;
+mod lobe;
+mod measure;
+mod naive;
+mod number;
+mod overview;
+mod page;
+mod random;
+mod reference;
+mod sweep;
+mod words;
+
+use args::Args;
+use catalog::Entry;
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use page::Plate;
+use plot::output;
+use std::error::Error;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match run(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("atlas: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(args: &Args) -> Result<(), Box<dyn Error>> {
+    output::check(&args.out)?;
+    catalog::check_exponent(args.exponent)?;
+    let laws = args.chosen();
+
+    // indicatif draws on stderr, and only on a terminal.
+    let bar = ProgressBar::new(args.samples.saturating_mul(2 * laws.len() as u64));
+    let style = "{msg:20} {wide_bar} {human_pos}/{human_len} samples, {eta} left";
+    bar.set_style(ProgressStyle::with_template(style)?);
+    let mut plates = Vec::new();
+    for law in laws {
+        let entry = Entry::new(law, args.exponent)?;
+        bar.set_message(entry.title);
+        let work = 2 * law as u64;
+        let single = measure::measure(&entry.single, args.samples, args.seed, work, &bar);
+        let double = measure::measure(&entry.double, args.samples, args.seed, work + 1, &bar);
+        let figure = figure::draw(&entry, [&single, &double], args.seed)?;
+        plates.push(Plate {
+            entry,
+            reports: [single, double],
+            figure,
+        });
+    }
+    bar.finish_and_clear();
+
+    let entries: Vec<&Entry> = plates.iter().map(|plate| &plate.entry).collect();
+    let overview = overview::draw(&entries, args.seed)?;
+    let mut staging = output::Staging::new(&args.out)?;
+    for plate in &plates {
+        staging.add(format!("{}.svg", plate.entry.name.slug()), &plate.figure)?;
+    }
+    staging.add("overview.svg".to_owned(), &overview)?;
+    let page = page::html(&plates, &overview, args.samples, args.seed);
+    staging.add("index.html".to_owned(), &page)?;
+    staging.publish()?;
+
+    print!("{}", page::table(&plates));
+    println!("\nWrote {}", args.out.join("index.html").display());
+    Ok(())
+}

@@ -1,0 +1,28 @@
+//! A path tracer on `coslobe` that simulates only the effects that its scene calls for.
+//!
+//! ```text
+//! cargo run --release -p shade -- examples/shade/scenes/all.toml -o all.png
+//! ```
+
+mod args;
+mod image;
+mod job;
+mod plan;
+mod render;
+mod table;
+mod tiles;
+mod types;
+
+use args::Args;
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match job::run(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("shade: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! The shader: right against closed forms, and doing no more than its scene calls for. Each
+//! check is given planted faults, and has to reject them.
+
+mod bad_scenes;
+mod contact;
+mod effects;
+mod fog;
+mod form_factors;
+mod furnace;
+mod golden;
+mod mutants;
+mod numbers;
+mod random;
+mod shadows;
+mod stage;
+mod sums;
+mod variance;
+mod words;

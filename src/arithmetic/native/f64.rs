@@ -1,0 +1,158 @@
+//! `f64`: native double precision.
+
+use super::coefficients_f64::{CONSTANTS, TABLE};
+use super::float::Float;
+use super::format::Native;
+use super::pair::Pair;
+use super::table::Table;
+use crate::arithmetic::constants::Constants;
+use crate::scalar::Scalar;
+
+pub(crate) const fn power_of_two(n: i32) -> f64 {
+    f64::from_bits(((1023 + n) as u64) << 52)
+}
+
+impl Scalar for f64 {
+    const ZERO: f64 = 0.0;
+    const QUARTER: f64 = 0.25;
+    const HALF: f64 = 0.5;
+    const ONE: f64 = 1.0;
+    const INFINITY: f64 = f64::INFINITY;
+    const NAN: f64 = f64::NAN;
+    const MIN_NORMAL: f64 = f64::MIN_POSITIVE;
+    const MAX: f64 = f64::MAX;
+    // FRAC_PI_2 as f64 lies 6.1e-17 inside π/2.
+    const HALF_PI_DOWN: f64 = core::f64::consts::FRAC_PI_2;
+
+    #[inline(always)]
+    fn int(n: i16) -> f64 {
+        f64::from(n)
+    }
+
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        f64::is_nan(self)
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        f64::is_finite(self)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+
+    #[inline(always)]
+    fn sign_bit(self) -> u32 {
+        (self.to_bits() >> 63) as u32
+    }
+
+    #[inline(always)]
+    fn swap_if_odd(n: u32, a: f64, b: f64) -> (f64, f64) {
+        let difference = (a.to_bits() ^ b.to_bits()) & u64::from(n & 1).wrapping_neg();
+        (
+            f64::from_bits(a.to_bits() ^ difference),
+            f64::from_bits(b.to_bits() ^ difference),
+        )
+    }
+
+    #[inline(always)]
+    fn negate_if_odd(self, n: u32) -> f64 {
+        f64::from_bits(self.to_bits() ^ (u64::from(n) << (u64::BITS - 1)))
+    }
+
+    #[inline(always)]
+    fn copysign(self, sign: f64) -> f64 {
+        f64::copysign(self, sign)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        libm::sqrt(self)
+    }
+}
+
+impl Float for f64 {
+    const NEGLIGIBLE: f64 = power_of_two(-34);
+    const ROOT_UP: f64 = power_of_two(54);
+    const ROOT_DOWN: f64 = power_of_two(-27);
+    const CBRT_UP: f64 = power_of_two(300);
+    const CBRT_DOWN: f64 = power_of_two(-100);
+    const CBRT_STEPS: usize = 1;
+    const CBRT_THIRD: f64 = 1.0 / 3.0;
+    const CBRT_SECOND: f64 = 2.0 / 9.0;
+    const CBRT_FOURTH: f64 = 14.0 / 81.0;
+    const CBRT_RAISE: f64 = 1.0 + power_of_two(-26);
+
+    #[inline(always)]
+    fn to_u32(self) -> u32 {
+        self as u32
+    }
+
+    #[inline(always)]
+    fn to_i32(self) -> i32 {
+        self as i32
+    }
+
+    #[inline(always)]
+    fn from_i32(n: i32) -> f64 {
+        f64::from(n)
+    }
+
+    #[inline]
+    fn ln(self) -> f64 {
+        libm::log(self)
+    }
+
+    #[inline]
+    fn ln_1p(self) -> f64 {
+        libm::log1p(self)
+    }
+
+    #[inline]
+    fn exp(self) -> f64 {
+        libm::exp(self)
+    }
+
+    #[inline]
+    fn exp_m1(self) -> f64 {
+        libm::expm1(self)
+    }
+
+    #[inline]
+    fn scale(self, n: i32) -> f64 {
+        libm::scalbn(self, n)
+    }
+
+    #[inline]
+    fn split(self) -> (f64, i32) {
+        let tiny = self < f64::MIN_POSITIVE;
+        let x = if tiny { self * power_of_two(53) } else { self };
+        let shift = if tiny { -53 } else { 0 };
+        // Exponent of x/√½, so that the significand runs from √½ to √2.
+        let e = (x
+            .to_bits()
+            .wrapping_sub(core::f64::consts::FRAC_1_SQRT_2.to_bits()) as i64)
+            >> 52;
+        let m = f64::from_bits(x.to_bits().wrapping_sub((e << 52) as u64));
+        (m, e as i32 + shift)
+    }
+
+    #[inline(always)]
+    fn leading_half(self) -> f64 {
+        f64::from_bits(self.to_bits() & !0x7FF_FFFF)
+    }
+
+    #[inline(always)]
+    fn cbrt_recip_guess(self) -> f64 {
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        f64::from_bits(0x553E_ECAA_AAAA_A800_u64.wrapping_sub(self.to_bits() / 3))
+    }
+}
+
+impl Native for f64 {
+    const CONSTANTS: Constants<Pair<f64>> = CONSTANTS;
+    const TABLE: Table<f64> = TABLE;
+}

@@ -1,0 +1,151 @@
+//! The formulas' kernels in a hardware format.
+
+use super::float::Float;
+use super::format::Native;
+use super::pair::Pair;
+use super::{atan, cbrt, kepler, power, root, trig, turn};
+use crate::arithmetic::constants::Constants;
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::{CosSin, Tails};
+
+impl<T: Native> Wide<T> for Pair<T> {
+    #[inline(always)]
+    fn exact(x: T) -> Self {
+        Pair::exact(x)
+    }
+    #[inline(always)]
+    fn value(self) -> T {
+        Pair::value(self)
+    }
+    #[inline(always)]
+    fn leading(self) -> T {
+        self.hi
+    }
+    #[inline(always)]
+    fn two_sum(a: T, b: T) -> Self {
+        Pair::two_sum(a, b)
+    }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Pair::neg(self)
+    }
+    #[inline(always)]
+    fn times(self, b: Self) -> Self {
+        Pair::times(self, b)
+    }
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        Pair::mul(self, b)
+    }
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        Pair::add(self, b)
+    }
+    #[inline(always)]
+    fn div(self, b: Self) -> Self {
+        Pair::div(self, b)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> T {
+        root::sqrt_pair(self)
+    }
+}
+
+impl<T: Native> Kernel for T {
+    type Wide = Pair<T>;
+
+    const CONSTANTS: Constants<Pair<T>> = <T as Native>::CONSTANTS;
+
+    #[inline(always)]
+    fn sqrt_scaled(a: T, f: impl Fn(T) -> T) -> T {
+        root::sqrt_scaled(a, f)
+    }
+    #[inline(always)]
+    fn cbrt(self) -> T {
+        cbrt::cbrt(self)
+    }
+    #[inline(always)]
+    fn cbrt_wide(self) -> Pair<T> {
+        cbrt::refine(Kernel::cbrt(self), self)
+    }
+    #[inline(always)]
+    fn is_negligible(self) -> bool {
+        self < T::NEGLIGIBLE * T::NEGLIGIBLE
+    }
+    #[inline(always)]
+    fn ln(self) -> T {
+        Float::ln(self)
+    }
+    #[inline(always)]
+    fn ln_cos(at: CosSin<Pair<T>>) -> T {
+        trig::ln_cos(at)
+    }
+    #[inline(always)]
+    fn atan2(self, x: T) -> T {
+        atan::atan2(self, x)
+    }
+    #[inline(always)]
+    fn angle(at: CosSin<T>) -> T {
+        atan::of_direction(at)
+    }
+    #[inline(always)]
+    fn from_end(a: T) -> Pair<T> {
+        trig::from_end(a)
+    }
+    #[inline(always)]
+    fn at_angle(theta: T) -> CosSin<Pair<T>> {
+        trig::at_angle(theta)
+    }
+    #[inline(always)]
+    fn at_angle_fine(theta: T) -> CosSin<Pair<T>> {
+        trig::at_angle_fine(theta)
+    }
+    #[inline(always)]
+    fn at_quadrant(quadrant: u32, x: T) -> CosSin<T> {
+        turn::at_quadrant(quadrant, x)
+    }
+    #[inline(always)]
+    fn at_turn(u: T) -> CosSin<T> {
+        turn::at_turn(u)
+    }
+    #[inline(always)]
+    fn half_turn(p: T) -> CosSin<T> {
+        turn::half_turn(p)
+    }
+    #[inline(always)]
+    fn disk_tail_at_angle(a: T) -> T {
+        kepler::tail_at_angle(a)
+    }
+    #[inline(always)]
+    fn disk_tail_at_direction(cos: T, sin: T) -> T {
+        kepler::tail_at_direction(cos, sin)
+    }
+    #[inline(always)]
+    fn disk_direction_at_tail(p: T) -> CosSin<T> {
+        kepler::direction_at_tail(p)
+    }
+    #[inline(always)]
+    fn disk_angle_at_tail(p: T) -> T {
+        kepler::angle_at_tail(p)
+    }
+    #[inline(always)]
+    fn ln_wide(x: Pair<T>) -> Pair<T> {
+        power::ln(x)
+    }
+    #[inline(always)]
+    fn ln_cos_power(k: Pair<T>, at: CosSin<Pair<T>>) -> Pair<T> {
+        power::ln_cos_power(k, at)
+    }
+    #[inline(always)]
+    fn exp_times(a: Pair<T>, c: Pair<T>) -> T {
+        power::exp_times(a, c)
+    }
+    #[inline(always)]
+    fn one_minus_exp(a: Pair<T>) -> T {
+        power::one_minus_exp(a)
+    }
+    #[inline(always)]
+    fn power_warp(p: Tails<T>, n: Pair<T>) -> CosSin<T> {
+        power::warp(p, n)
+    }
+}

@@ -1,0 +1,79 @@
+//! Total functions: what a value is outside its domain.
+
+use crate::scalar::Scalar;
+use crate::{CosSin, Tails};
+
+/// `value` where `inside`, `outside` elsewhere, and NaN where `x` is NaN.
+#[inline(always)]
+pub(crate) fn within<T: Scalar>(x: T, inside: bool, value: T, outside: T) -> T {
+    if x.is_nan() {
+        x
+    } else if inside {
+        value
+    } else {
+        outside
+    }
+}
+
+/// Moves an angle that rounding put beyond ±π/2 back to the last number inside.
+#[inline(always)]
+pub(crate) fn into_support<T: Scalar>(theta: T) -> T {
+    if theta > T::HALF_PI_DOWN {
+        T::HALF_PI_DOWN
+    } else if theta < -T::HALF_PI_DOWN {
+        -T::HALF_PI_DOWN
+    } else {
+        theta
+    }
+}
+
+/// −π/2 ≤ θ ≤ π/2, with the true π.
+#[inline(always)]
+pub(crate) fn planar<T: Scalar>(theta: T) -> bool {
+    theta.abs() <= T::HALF_PI_DOWN
+}
+
+/// 0 ≤ θ ≤ π/2, with the true π.
+#[inline(always)]
+pub(crate) fn spatial<T: Scalar>(theta: T) -> bool {
+    theta >= T::ZERO && theta <= T::HALF_PI_DOWN
+}
+
+/// `value` for a pair with cos θ ≥ 0, 0 below the horizon, NaN where a field is.
+#[inline(always)]
+pub(crate) fn planar_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
+    pair(at, at.cos >= T::ZERO, value)
+}
+
+/// `value` for a pair with cos θ, sin θ ≥ 0, 0 elsewhere, NaN where a field is.
+#[inline(always)]
+pub(crate) fn spatial_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
+    pair(at, at.cos >= T::ZERO && at.sin >= T::ZERO, value)
+}
+
+#[inline(always)]
+fn pair<T: Scalar>(at: CosSin<T>, inside: bool, value: T) -> T {
+    // + 0 turns the −0 of a cosine −0 into +0.
+    let value = within(at.sin, inside, value + T::ZERO, T::ZERO);
+    within(at.cos, true, value, value)
+}
+
+/// The tails of a spatial law at θ: `inside`, or those of the end that θ lies beyond.
+#[inline(always)]
+pub(crate) fn spatial_tails<T: Scalar>(theta: T, inside: Tails<T>) -> Tails<T> {
+    if spatial(theta) {
+        inside
+    } else {
+        Tails::from_nearer(within(theta, true, T::ZERO, T::ZERO), theta > T::ZERO)
+    }
+}
+
+/// The tails of a spatial law at a pair: `inside`, or those of the end that it lies beyond.
+#[inline(always)]
+pub(crate) fn spatial_direction_tails<T: Scalar>(at: CosSin<T>, inside: Tails<T>) -> Tails<T> {
+    if at.cos >= T::ZERO && at.sin >= T::ZERO {
+        inside
+    } else {
+        Tails::from_nearer(pair(at, true, T::ZERO), at.cos < T::ZERO)
+    }
+}

@@ -1,0 +1,216 @@
+//! All true values of a law over a block of inputs.
+
+use super::format::Format;
+use super::inverse::{angle, warp};
+use super::measure::Input;
+use super::op::{AT_ANGLE, AT_TAIL, Op};
+use super::reference::{Direction, Formula, Id};
+use super::truth::Truth;
+use super::wide::Wide;
+use coslobe::CosSin;
+
+/// What all laws share at an angle.
+pub struct Angle<F: Format> {
+    pub theta: F,
+    pub pair: CosSin<F>,
+    at: Direction<F::Wide>,
+    paired: Direction<F::Wide>,
+}
+
+impl<F: Format> Angle<F> {
+    pub fn new(theta: F) -> Self {
+        let at = Direction::<F::Wide>::at_angle(theta.wide()).with_logs();
+        let (cos, sin) = (F::of(at.cos.near()), F::of(at.sin.near()));
+        Angle {
+            theta,
+            pair: CosSin { cos, sin },
+            at,
+            paired: Direction::at_pair(cos.wide(), sin.wide()),
+        }
+    }
+}
+
+/// pdf, ln pdf, density at θ, density and weight of the pair, tails at θ and of the pair.
+fn at_angle<W: Wide>(
+    f: &Formula<W>,
+    at: &Direction<W>,
+    paired: &Direction<W>,
+    pair_cos: f64,
+) -> [W; 9] {
+    let reads_both = matches!(f.law, Id::CosPower(_));
+    let from_cos = if reads_both {
+        *paired
+    } else {
+        Direction::at_cos(pair_cos)
+    };
+    let (lower, upper) = f.tails(at);
+    let (pair_lower, pair_upper) = f.tails(paired);
+    [
+        f.pdf(at),
+        f.ln_pdf(at),
+        f.density(at),
+        f.density(&from_cos),
+        f.lambert_weight(&from_cos),
+        lower,
+        upper,
+        pair_lower,
+        pair_upper,
+    ]
+}
+
+/// cos, sin and θ at the lower tail p of a spatial law, then at the upper; of a planar law the upper.
+fn at_tail<W: Wide>(law: Id, p: f64, angles: bool) -> [W; 6] {
+    let side = |upper: bool| {
+        let at = warp::<W>(law, p, upper);
+        let theta = if angles { angle(law, p, at) } else { at.0 };
+        (at.0, at.1, theta)
+    };
+    let upper = side(true);
+    let lower = if law.planar() { upper } else { side(false) };
+    [lower.0, lower.1, lower.2, upper.0, upper.1, upper.2]
+}
+
+/// θ² underflows before a large exponent multiplies it.
+pub fn runs_out<F: Format>(law: Id, theta: F) -> bool {
+    F::FLOOR > 0.0 && theta.wide() < 1e-130 && matches!(law, Id::CosPower(_))
+}
+
+/// All values of a law at an input, in W.
+pub fn values<F: Format, W: Wide>(law: Id, input: Input, x: F) -> Vec<W> {
+    match input {
+        Input::Angle => {
+            let pair = Angle::new(x).pair;
+            let paired = Direction::at_pair(pair.cos.wide(), pair.sin.wide());
+            let at = Direction::at_angle(x.wide());
+            at_angle(&Formula::new(law), &at, &paired, pair.cos.wide()).to_vec()
+        }
+        Input::Tail => at_tail(law, x.wide(), true).to_vec(),
+    }
+}
+
+/// What looks like a tie at a tiny angle is one only if nothing follows the leading power of θ, and
+/// what follows may be too small for any format. It has the same sign at 2ˢθ, where it is seen:
+/// whether the true value lies above `tie` (`true`), below, or on it (`None`).
+fn beyond_tie<F: Format>(law: Id, a: &Angle<F>, k: usize, tie: f64) -> Option<bool> {
+    let s = -28 - a.theta.wide().log2().floor() as i32;
+    let tame = !matches!(law, Id::CosPower(exponent) if exponent > 1e3);
+    if F::DIGITS != 24 || s <= 0 || !tame {
+        return None;
+    }
+    let up = 2f64.powi(s);
+    let at = Direction::<F::Fine>::at_angle(a.theta.wide() * up);
+    let sin = a.pair.sin.wide() * up;
+    let paired = Direction::at_pair((1.0 - sin * sin).sqrt(), sin);
+    let value = at_angle(&Formula::new(law), &at, &paired, 1.0)[k];
+    let power = ((value.near() / tie).log2() / f64::from(s)).round();
+    let lifted = tie * up.powf(power);
+    let beyond = value.minus(lifted) / lifted;
+    (beyond.abs() > 1e-25).then_some(beyond > 0.0)
+}
+
+/// True values of a law over a block, one for each entry of what [`slots`] refers to.
+pub struct Truths<F: Format>(Vec<Truth<F>>);
+
+/// Which truth a slot of `AT_ANGLE` or `AT_TAIL` is held against, and whether its sign is mirrored.
+pub struct Slot {
+    pub op: Op,
+    pub truth: usize,
+    pub negated: bool,
+}
+
+pub fn angle_slots(law: Id, solid: bool) -> impl Iterator<Item = (usize, Slot)> {
+    // A planar law's references are those of −θ.
+    let order: &[usize] = if law.planar() {
+        &[0, 1, 2, 3, 4, 6, 5, 8, 7, 5, 6, 7, 8]
+    } else {
+        &[0, 1, 2, 3, 4, 5, 6, 7, 8]
+    };
+    let slots = order.iter().enumerate().map(|(i, &truth)| {
+        let (op, negated) = (AT_ANGLE[i], false);
+        (i, Slot { op, truth, negated })
+    });
+    slots.filter(move |(_, s)| solid || s.op != Op::PdfSolidAngle)
+}
+
+pub fn tail_slots(law: Id) -> impl Iterator<Item = (usize, Slot)> {
+    let planar = law.planar();
+    let order = if planar {
+        [3, 4, 3, 4, 5, 5]
+    } else {
+        [0, 1, 3, 4, 2, 5]
+    };
+    order.into_iter().enumerate().map(move |(i, truth)| {
+        let op = AT_TAIL[i];
+        let negated = planar && matches!(op, Op::WarpSin | Op::Quantile);
+        (i, Slot { op, truth, negated })
+    })
+}
+
+impl<F: Format> Default for Truths<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<F: Format> Truths<F> {
+    pub fn new() -> Self {
+        Truths((0..9).map(|_| Truth::new()).collect())
+    }
+
+    pub fn of(&self, slot: &Slot) -> &Truth<F> {
+        &self.0[slot.truth]
+    }
+
+    fn clear(&mut self) {
+        self.0.iter_mut().for_each(|t| t.ties = 0);
+    }
+
+    pub fn angles(&mut self, law: Id, block: &[Angle<F>]) {
+        self.clear();
+        let f = Formula::<F::Wide>::new(law);
+        let mut fine_formula = None;
+        for (i, a) in block.iter().enumerate() {
+            let cos = a.pair.cos.wide();
+            let mut fine = |k: usize| {
+                let f = fine_formula.get_or_insert_with(|| Formula::<F::Fine>::new(law));
+                let at = Direction::at_angle(a.theta.wide());
+                let paired = Direction::at_pair(cos, a.pair.sin.wide());
+                at_angle(f, &at, &paired, cos)[k]
+            };
+            for (k, want) in at_angle(&f, &a.at, &a.paired, cos).into_iter().enumerate() {
+                let terms = if k == 1 { f.ln_pdf_terms() } else { 0.0 };
+                if runs_out::<F>(law, a.theta) && want.near().is_finite() {
+                    self.0[k].decide(i, want.near(), terms, fine(k));
+                    continue;
+                }
+                self.0[k].put(i, want, terms, || fine(k));
+                if self.0[k].tie[i]
+                    && let Some(beyond) = beyond_tie(law, a, k, self.0[k].value[i].near())
+                {
+                    self.0[k].break_tie(i, beyond);
+                }
+            }
+            if let Id::CosPower(_) = law {
+                self.0[1].absolute_below_one(i);
+            }
+        }
+    }
+
+    pub fn tails(&mut self, law: Id, block: &[F]) {
+        self.clear();
+        for (i, p) in block.iter().enumerate() {
+            let p = p.wide();
+            let values = at_tail::<F::Wide>(law, p, true);
+            for (k, want) in values.into_iter().enumerate() {
+                let mirrored = law.planar() && k < 3;
+                if !mirrored {
+                    let angles = k % 3 == 2;
+                    self.0[k].put(i, want, 0.0, || at_tail::<F::Fine>(law, p, angles)[k]);
+                    if angles {
+                        self.0[k].keep_inside(i);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! The laws in integers beside closed `f64` forms.
+
+pub mod reference;
+pub mod truth;

@@ -1,0 +1,6 @@
+//! What the studies of accuracy and cost share.
+
+pub mod cell;
+pub mod count;
+pub mod errors;
+pub mod inputs;

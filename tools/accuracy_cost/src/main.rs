@@ -1,0 +1,58 @@
+//! What accuracy costs: errors, instructions, time and random words of every operation of every
+//! law in every number type, and of what others would write instead.
+//!
+//! ```text
+//! cargo run --release -p accuracy_cost                    # strided errors: some minutes
+//! cargo run --release -p accuracy_cost -- --stride 1 --samples 3000000   # every f32: hours
+//! cargo run --release -p accuracy_cost -- --keep-errors   # costs alone, errors as they stand
+//! cargo run --release -p accuracy_cost -- --check         # counts twice, expects no difference
+//! ```
+//!
+//! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
+//! instructions (`apt install valgrind`); `docs/measured/scipy.csv` comes from `tools/scipy_peer.py`.
+
+mod args;
+mod catalog;
+mod check;
+mod contender;
+mod disk_quantile;
+mod judged;
+mod machine;
+mod page;
+mod pareto;
+mod peers;
+mod row;
+mod scipy;
+mod stability;
+mod study;
+mod summary;
+mod tables;
+mod time;
+
+use args::{Args, Task};
+use clap::Parser;
+use kit::study::count;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let args = Args::parse();
+    let done = match &args.task {
+        Some(Task::CountCells) => {
+            let mut all = catalog::Counted::new();
+            count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty]));
+            Ok(())
+        }
+        Some(Task::DiskQuantile { input, values }) => {
+            disk_quantile::run(input, values.as_deref()).map_err(Into::into)
+        }
+        None if args.check => check::run(),
+        None => study::run(&args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("accuracy_cost: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! The readable table.
+
+use crate::contender::{PARTS, plain};
+use crate::judged::Judged;
+use crate::machine::Machine;
+use crate::row::Row;
+use crate::scipy::Scipy;
+use crate::summary;
+use crate::tables::or_dash;
+use crate::time::ROUNDS;
+use kit::study::cell::DRAWS;
+use std::fmt::Write;
+
+/// Operations in the order of the tables.
+const OPERATIONS: [&str; 15] = [
+    "pdf",
+    "ln_pdf",
+    "pdf_solid_angle",
+    "cdf",
+    "sf",
+    "density",
+    "lambert_weight",
+    "unwarp",
+    "unwarp_sf",
+    "warp",
+    "warp_sf",
+    "quantile",
+    "isf",
+    "sample",
+    "sample_around",
+];
+
+/// What holds for all figures.
+pub(crate) struct About {
+    pub(crate) machine: Machine,
+    /// Instructions of the generator's `next_u32` and `next_u64`.
+    pub(crate) generator: [Option<f64>; 2],
+    /// Why there are no instructions.
+    pub(crate) skipped: Option<String>,
+}
+
+pub(crate) fn markdown(
+    rows: &[Row],
+    judged: &Judged,
+    scipy: Option<&Scipy>,
+    about: &About,
+) -> Result<String, std::fmt::Error> {
+    let mut out = String::new();
+    let laws = distinct(rows, |r| &r.law);
+    let types = distinct_ours(rows);
+    head(&mut out, about)?;
+    summary::types(&mut out, rows, judged, &types)?;
+    writeln!(out, "\n## Instructions of a direction\n")?;
+    summary::directions(&mut out, rows, &laws, &types)?;
+    summary::fast(&mut out, rows, &laws, &OPERATIONS)?;
+    quickest(&mut out, rows, &laws, &types)?;
+    if let Some(scipy) = scipy {
+        against_scipy(&mut out, scipy)?;
+    }
+    summary::quantiles(&mut out, &judged.quantiles)?;
+    how(&mut out, about)?;
+    for law in laws {
+        let rows: Vec<&Row> = rows.iter().filter(|r| r.law == law).collect();
+        writeln!(out, "\n## {law}\n")?;
+        crate::tables::compact(&mut out, &rows, &types, &OPERATIONS)?;
+        crate::tables::peers(&mut out, &rows, &types)?;
+        crate::tables::details(&mut out, &law, &rows, &OPERATIONS)?;
+        if law.starts_with("CosPower") {
+            summary::exponents(&mut out, judged, &types)?;
+        }
+    }
+    Ok(out)
+}
+
+fn head(out: &mut String, about: &About) -> std::fmt::Result {
+    let machine = &about.machine;
+    writeln!(
+        out,
+        "# What accuracy costs\n\n\
+         Written by `cargo run --release -p accuracy_cost`; do not edit. The same rows for a machine are in\n\
+         `docs/measured/accuracy_cost.csv`, the errors at full length in `docs/measured/accuracy_errors.json`, the pictures in\n\
+         `docs/measured/accuracy_cost.svg` (error against instructions) and `docs/measured/stability.svg` (error against u).\n\n\
+         Instructions and times on {}; compiled by {}, {}; counted by {}.\n\n\
+         ## The number types\n\n\
+         Errors: of any operation of the six fixed laws, anywhere in its domain; *relative* is the largest of\n\
+         |error| over the true value (or the least normal number, where that is larger). *Time* is a multiple of `f32`'s\n\
+         in the same run. *Words*: calls of `next_u32` + `next_u64` for a direction.\n",
+        machine.target, machine.compiler, machine.flags, machine.valgrind
+    )?;
+    if let Some(reason) = &about.skipped {
+        writeln!(out, "SKIPPED: instructions: {reason}.\n")?;
+    }
+    Ok(())
+}
+
+fn how(out: &mut String, about: &About) -> std::fmt::Result {
+    let [single, double] = about
+        .generator
+        .map(|n| n.map_or("–".to_owned(), |n| format!("{n:.0}")));
+    writeln!(
+        out,
+        "\n## How to read the laws' tables\n\n\
+         A cell of the first table of a law is **error · instructions · time**.\n\n\
+         * *Error*: the largest, in units in the last place (ulp) of the true value; of `Fast` and of `sample` the\n\
+         \x20 largest relative error. Of `warp` it is that of the worse of cos θ and sin θ. *Exhaustive*: every number of\n\
+         \x20 the format; *observed (n)*: n of them. f32 is judged against f64 formulas, f64 against double-double, both of them\n\
+         \x20 checked against Arb's tables in `tests/reference/`, doubtful cases by wider ones. For operations on pairs the input is\n\
+         \x20 the angle whose rounded (cos θ, sin θ) was the pair; planar laws are tried at ±θ; for operations on\n\
+         \x20 probabilities it is the nearer tail p, which is the whole domain since 1 − u is exact for u ≥ ½.\n\
+         \x20 *Tail*: the nearer tail p, θ or π/2 − θ at most 2⁻²⁰.\n\
+         * *Instructions* of a call by callgrind, exact and repeatable on one build: the mean over 510 inputs, a third of\n\
+         \x20 them by decade, a third even, a third crowding at the ends; less an empty loop. `sample` is the mean of {DRAWS}\n\
+         \x20 draws and includes `rand_pcg::Pcg32`, of which a `next_u32` is {single} and a `next_u64` {double}. Peers on `std` run\n\
+         \x20 the C library's functions as it chooses them for this processor. `CosPower` is counted at exponent 20.\n\
+         * *Time*: only as a ratio within this run, to the plain type of the same format. The quickest of {ROUNDS}\n\
+         \x20 interleaved rounds over even inputs in random order, the loop and the generator included. It is good to\n\
+         \x20 some percent, and no more.\n\
+         * *Relative error of a `sample`*: that of (cos θ, sin θ), whichever is worse, at the uniforms that the sampler draws\n\
+         \x20 itself: 2⁻²⁴ apart (`f64`: 2⁻⁵³) for the peers; down to 2⁻⁶⁵ (`f64`: 2⁻¹²⁹, `Fast<f32>`: 2⁻³³) for ours. Peers that\n\
+         \x20 add a point to the normal are judged by their own draws against the exact point of the same uniforms; –: no draw\n\
+         \x20 fell there. Of a peer's `quantile` it is that of θ, at every decade of u from either end. 1 and more means\n\
+         \x20 that nothing of the value is left."
+    )
+}
+
+/// Our time against the quickest peer's, for every law's directions.
+fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -> std::fmt::Result {
+    writeln!(
+        out,
+        "\n## Directions against the quickest peer\n\n\
+         Time of `sample` as a multiple of that of the quickest peer of the same format. *Uniform and azimuth*: what a\n\
+         direct sampler in space cannot do without, drawn in the plain type with no law between them."
+    )?;
+    for format in ["f32", "f64"] {
+        let types: Vec<&String> = types.iter().filter(|name| plain(name) == format).collect();
+        write!(out, "\n| law | quickest peer |")?;
+        types
+            .iter()
+            .try_for_each(|name| write!(out, " `{name}` |"))?;
+        writeln!(
+            out,
+            " uniform and azimuth |\n|---|---|{}---|",
+            "---|".repeat(types.len())
+        )?;
+        for law in laws {
+            let samples = |ours: bool| {
+                rows.iter().filter(move |r| {
+                    r.law == *law && r.operation == "sample" && r.format == format && r.ours == ours
+                })
+            };
+            let best = samples(false).min_by(|a, b| a.time_to_plain.total_cmp(&b.time_to_plain));
+            let Some(peer) = best else { continue };
+            write!(out, "| {law} | {} |", peer.name)?;
+            for row in samples(true) {
+                write!(out, " {:.2} |", row.time_to_plain / peer.time_to_plain)?;
+            }
+            let parts = rows
+                .iter()
+                .find(|r| r.law == *law && r.operation == PARTS && r.name == format);
+            let share = |r: &Row| format!("{:.2}", r.time_to_plain / peer.time_to_plain);
+            writeln!(out, " {} |", or_dash(parts, share))?;
+        }
+    }
+    Ok(())
+}
+
+fn against_scipy(out: &mut String, scipy: &Scipy) -> std::fmt::Result {
+    let decades = scipy.errors.values().flat_map(|c| c.keys());
+    let least = *decades.min().unwrap_or(&0);
+    writeln!(
+        out,
+        "\n## `Disk.quantile` in f64 against SciPy {}\n\n\
+         By `tools/scipy_peer.py`: time an element over {} uniform u, interleaved on one core, and worst relative\n\
+         errors from u = ½ down to {}. The ufunc is what runs under `cosine.ppf`'s checks.\n\n\
+         | function | time, multiple of ours | θ | cos θ |\n|---|---|---|---|",
+        scipy.version,
+        scipy.elements,
+        plot::axis::power_of_ten(f64::from(least))
+    )?;
+    let worst = |quantity: &str, function: &str| {
+        let key = (quantity.to_owned(), function.to_owned());
+        let curve = scipy.errors.get(&key);
+        let worst = curve.and_then(|c| c.values().copied().reduce(f64::max));
+        worst.map_or("–".to_owned(), |e| format!("{e:.2e}"))
+    };
+    let ours = (crate::scipy::OURS.to_owned(), 1.0);
+    for (function, time) in std::iter::once(&ours).chain(&scipy.time) {
+        writeln!(
+            out,
+            "| {function} | {time:.2} | {} | {} |",
+            worst("relative_theta", function),
+            worst("relative_cos", function)
+        )?;
+    }
+    Ok(())
+}
+
+fn distinct(rows: &[Row], key: impl Fn(&Row) -> &String) -> Vec<String> {
+    let mut seen = Vec::new();
+    for row in rows {
+        if !seen.contains(key(row)) {
+            seen.push(key(row).clone());
+        }
+    }
+    seen
+}
+
+fn distinct_ours(rows: &[Row]) -> Vec<String> {
+    let ours: Vec<Row> = rows.iter().filter(|r| r.ours).cloned().collect();
+    distinct(&ours, |r| &r.name)
+}

@@ -1,0 +1,151 @@
+//! The whole study: measures, then writes all files at once.
+
+use crate::args::Args;
+use crate::catalog::Counted;
+use crate::contender::{Contender, whole};
+use crate::judged::{self, Judged};
+use crate::machine::Machine;
+use crate::row::{Row, csv};
+use crate::time::times;
+use crate::{page, pareto, scipy, stability};
+use indicatif::{ProgressBar, ProgressStyle};
+use kit::accuracy::rows::{law_name, total_inputs};
+use kit::study::count::{Missing, counts};
+use kit::study::errors::Errors;
+use kit::study::inputs::Uniforms;
+use plot::output;
+use std::collections::HashMap;
+use std::error::Error;
+
+/// Uniforms in each octave that a relative error is the worst of.
+const PER_OCTAVE: u32 = 64;
+
+/// indicatif draws on stderr, and only on a terminal.
+pub(crate) fn bar(name: &'static str, total: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:16} {wide_bar} {percent} %, {eta} left");
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(total).with_style(style).with_message(name)
+}
+
+pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
+    output::check(&args.out)?;
+    let scipy = scipy::read(&args.out.join("scipy.csv"))?;
+    let judged = our_errors(args)?;
+    let mut all = Counted::new();
+
+    let calls = all.calls();
+    let progress = bar("instructions", calls.len() as u64);
+    let counted = counts(&calls, || progress.inc(1));
+    progress.finish_and_clear();
+    let (counts, skipped) = match counted {
+        Ok(counts) => (counts.into_iter().map(Some).collect(), None),
+        Err(Missing::Skipped(reason)) => (vec![None; calls.len()], Some(reason)),
+        Err(Missing::Failed(e)) => return Err(e.into()),
+    };
+    let mut list = all.list;
+    let (counts, generator) = counts.split_at(list.len());
+    let progress = bar("time", list.len() as u64);
+    let times = times(&mut list, || progress.inc(1));
+    progress.finish_and_clear();
+
+    let progress = bar("relative errors", 2 * list.len() as u64);
+    let measured = |from: fn(&Contender) -> Option<Uniforms>| -> Vec<Option<Errors>> {
+        let each = list.iter().map(|c| {
+            progress.inc(1);
+            let measure = c.measure.as_ref()?;
+            Some(measure(from(c)?, PER_OCTAVE))
+        });
+        each.collect()
+    };
+    let own = measured(|c| Some(c.own));
+    // The stability picture has ours from the judged rows.
+    let everywhere = measured(|c| (!c.ours && c.operation == "sample").then_some(Uniforms::All));
+    progress.finish_and_clear();
+
+    let rows = rows(&list, counts, &times, &own, &judged);
+    let mut staging = output::Staging::new(&args.out)?;
+    staging.add(judged::FILE.to_owned(), &judged::to_json(&judged)?)?;
+    staging.add("accuracy_cost.csv".to_owned(), &csv(&rows)?)?;
+    let about = page::About {
+        machine: Machine::here(),
+        generator: [generator[0], generator[1]],
+        skipped: skipped.clone(),
+    };
+    let text = page::markdown(&rows, &judged, scipy.as_ref(), &about)?;
+    staging.add("accuracy_cost.md".to_owned(), &text)?;
+    match &skipped {
+        Some(reason) => eprintln!("SKIPPED: instructions and accuracy_cost.svg: {reason}"),
+        None => staging.add("accuracy_cost.svg".to_owned(), &pareto::draw(&rows)?)?,
+    }
+    let picture = stability::draw(&list, &everywhere, &judged.errors, scipy.as_ref())?;
+    staging.add("stability.svg".to_owned(), &picture)?;
+    staging.publish()?;
+    println!("Wrote {}", args.out.join("accuracy_cost.md").display());
+    Ok(())
+}
+
+/// The errors of our operations: measured, or those of a file.
+fn our_errors(args: &Args) -> Result<Judged, String> {
+    let standing = args.out.join(judged::FILE);
+    let file = args
+        .keep_errors
+        .then_some(&standing)
+        .or(args.errors.as_ref());
+    let (errors, quantiles) = match file {
+        Some(path) => judged::read(path)?,
+        None => {
+            let progress = bar("errors", total_inputs(args.stride, args.samples));
+            let errors = judged::measure(args.stride, args.samples, |n| progress.inc(n));
+            progress.finish_and_clear();
+            (errors, None)
+        }
+    };
+    let quantiles = quantiles.unwrap_or_else(|| {
+        let progress = bar("quantiles", judged::quantile_keys().len() as u64);
+        let quantiles = judged::quantiles(args.stride, args.samples, || progress.inc(1));
+        progress.finish_and_clear();
+        quantiles
+    });
+    Ok(Judged { errors, quantiles })
+}
+
+fn rows(
+    list: &[Contender],
+    counts: &[Option<f64>],
+    times: &[f64],
+    own: &[Option<Errors>],
+    judged: &Judged,
+) -> Vec<Row> {
+    let of_ours: HashMap<_, f64> = list
+        .iter()
+        .zip(times)
+        .filter(|(c, _)| c.ours)
+        .map(|(c, &time)| ((c.name.as_str(), law_name(c.law), c.operation), time))
+        .collect();
+    let mut rows = Vec::new();
+    for (((c, &time), &count), own) in list.iter().zip(times).zip(counts).zip(own) {
+        let law = law_name(c.law);
+        let of = |name| {
+            of_ours
+                .get(&(name, law.clone(), whole(c.operation)))
+                .copied()
+        };
+        let times = [
+            time,
+            of("f32").unwrap_or(f64::NAN),
+            of(c.format).unwrap_or(f64::NAN),
+        ];
+        let row = Row::new(c, count, times);
+        let results = judged.errors.iter().filter(|e| {
+            let call = e.operation.split(':').next();
+            c.ours && e.tier == c.name && e.law == law && call == Some(c.operation)
+        });
+        let results: Vec<Row> = results.map(|e| row.clone().with_judged(e)).collect();
+        match own {
+            _ if !results.is_empty() => rows.extend(results),
+            Some(own) => rows.push(row.with_own(own)),
+            None => rows.push(row),
+        }
+    }
+    rows
+}

@@ -1,0 +1,133 @@
+# The steps of ./check, longest first, and what they run. Sourced by ./check.
+# Steps that hold the same lock run one after the other: they would wait for one build folder, or overwrite
+# each other's images. A need is what tools/check/install.sh obtains; one with ? the step can do without.
+
+boards=qemu?,gcc?,defmt-print?,cbindgen?,thumbv6m-none-eabi?,thumbv7m-none-eabi?,thumbv7em-none-eabihf?,riscv32imc-unknown-none-elf?
+#    name                     when  locks          needs             command
+step format                   quick -              format            formats
+step lints                    quick clippy         clippy            lints
+step tests                    quick dev            -                 tests
+step boards-links             full  boards         $boards           on_target links
+step costs-host               full  release        valgrind?         costs_on_host
+step boards-run               full  boards         $boards           on_target run
+step proofs                   full  proofs         provers           target/python/bin/python3 proofs/run
+step boards-cost              full  boards         $boards           on_target cost --check
+step features                 full  dev            -                 features_alone
+step big-endian-miri          full  miri           miri              big_endian_in_miri
+step fuzz                     full  fuzz           nightly,cargo-fuzz fuzz
+step boards-hashes            full  boards         $boards           on_target hashes
+step proofs-planted           full  proofs         provers           target/python/bin/python3 proofs/run --planted
+step release-bits             full  release        -                 cargo test --release --quiet -p shade --test shade golden
+step boards-scenes            full  boards         $boards           on_target shade
+step boards-c                 full  boards         $boards           on_target c
+step boards-self-test         full  boards         $boards           on_target self-test
+step boards-hashes-debug      full  boards         qemu,thumbv7em-none-eabihf on_target hashes --debug --only M4F --last 256
+step boards-hashes-planted    full  boards         qemu,thumbv7em-none-eabihf planted_hash_is_caught
+step lints-firmware           full  lints-firmware $boards,clippy    lints_of_firmware
+step big-endian               full  s390x          s390x             big_endian_in_qemu
+step unoptimised              full  unoptimised    -                 unoptimised
+step docs                     quick docs           -                 docs
+step docs-rs                  full  docs-rs        nightly           docs_as_on_docs_rs
+step msrv                     full  msrv           msrv              cargo "+$(msrv)" build --lib --quiet --target-dir target/msrv
+step targets                  full  targets        thumbv6m-none-eabi?,thumbv7em-none-eabihf? core_for_targets
+step publish                  full  publish        registry          cargo publish --dry-run --allow-dirty --quiet
+step readme                   full  release        -                 readme
+step runner                   quick -              -                 runner_says_what_it_lacks
+step readme-firmware          full  boards         qemu,defmt-print,thumbv7em-none-eabihf tools/check/readme README.md firmware
+
+formats() { # of every workspace
+  local manifest
+  for manifest in Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml; do
+    cargo fmt --all --check --manifest-path "$manifest"
+  done
+}
+features() { awk '/^\[/ { on = /features/ } on && / = / { print $1 }' Cargo.toml; } # the library's
+all_features() { features | sed 's|^|coslobe/|' | paste -sd ,; } # and not those that plant a fault
+# With all features, and the library alone with none. (Tests see features of what they depend on.)
+lints() {
+  cargo clippy --workspace --all-targets --features "$(all_features)" --quiet -- -D warnings
+  cargo clippy --lib --quiet -- -D warnings
+}
+tests() { cargo test --quiet --workspace --features "$(all_features)"; }
+lints_of_firmware() {
+  cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace $(there thumbv6m-none-eabi \
+    thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf) --target-dir target/on_target/lints -- -D warnings
+}
+there() { # there TARGET…: --target for those whose core is there
+  local target
+  for target; do
+    [ -s "$logs/$target.need" ] && echo "SKIPPED: $target: $(<"$logs/$target.need")" >&2 || echo --target "$target"
+  done
+}
+docs() { RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features --quiet; }
+docs_as_on_docs_rs() {
+  RUSTDOCFLAGS="--cfg docsrs -D warnings" cargo +nightly doc --no-deps --all-features --quiet --target-dir target/docsrs
+}
+features_alone() { # the library by itself too: what the tests depend on switches features on
+  local feature
+  for feature in "" $(features); do
+    echo "feature: ${feature:-none}"
+    cargo check --quiet --lib --features "$feature"
+    cargo test --quiet --features "$feature" --test integrations --test golden
+  done
+}
+core_for_targets() {
+  local targets
+  targets=$(there thumbv6m-none-eabi thumbv7em-none-eabihf)
+  [ -n "$targets" ] || return 0
+  cargo build --release --quiet --lib $targets
+  cargo build --release --quiet --lib $targets --features defmt,heapless
+}
+
+costs_on_host() { # without valgrind it still asks each sampler for its law
+  cargo run --release --quiet -p accuracy_cost -- --check
+}
+# Firmware on emulated boards; it counts itself what it must skip.
+on_target() { # on_target SUBCOMMAND…
+  cargo run --release --quiet -p on_target -- "$@"
+}
+planted_hash_is_caught() { # by law, type and input
+  if on_target hashes --only M4F --planted >"$logs/planted" 2>&1; then return 1; fi
+  grep 'found Ball f32 samples 777 cos' "$logs/planted"
+}
+hashes() { # hashes FOLDER "CARGO TEST" ARGUMENT…: what the boards compute, on another machine or in another way
+  $2 --quiet -p kit --no-default-features --test hashes --target-dir "target/on_target/$1" "${@:3}"
+}
+unoptimised() { # with overflow checks
+  COSLOBE_LAST=1024 CARGO_PROFILE_DEV_OPT_LEVEL=0 hashes host "cargo test"
+}
+big_endian_in_qemu() { # all types
+  COSLOBE_LAST=16384 CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER=s390x-linux-gnu-gcc \
+    CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_RUNNER="qemu-s390x -L /usr/s390x-linux-gnu" \
+    hashes s390x "cargo test" --release --target s390x-unknown-linux-gnu
+}
+big_endian_in_miri() { # what it adds to QEMU: undefined behaviour in what the crate depends on
+  COSLOBE_LAST=64 hashes miri "cargo +nightly miri test" --target s390x-unknown-linux-gnu -- --exact \
+    f32_hashes fast_f32_hashes f64_hashes fixed_hashes fixed16_hashes
+}
+
+fuzz() { # each target for FUZZ_SECONDS
+  local file name
+  cargo +nightly fuzz build
+  for file in fuzz/fuzz_targets/*.rs; do
+    name=$(basename "$file" .rs)
+    # A scratch corpus first, so that what a run finds does not land among the committed seeds.
+    mkdir -p "fuzz/corpus/$name"
+    cargo +nightly fuzz run "$name" "fuzz/corpus/$name" "fuzz/seeds/$name" -- \
+      -max_total_time="${FUZZ_SECONDS:-20}" -verbosity=0
+  done
+}
+readme() { # its snippets in a package of a user's, and its commands
+  tools/check/readme_test
+  tools/check/readme README.md
+}
+runner_says_what_it_lacks() { # in one line, where `cargo run` in examples/firmware cannot show anything
+  local bin=$PWD/$logs/bin said
+  mkdir -p "$bin"
+  ln -sf $(command -v bash grep sed basename) "$bin"
+  echo _defmt_version_ >"$logs/image"
+  if said=$(PATH=$bin examples/firmware/run mps2-an386 "$logs/image" 2>&1); then return 1; fi
+  echo "$said"
+  [ "$said" = "run: not installed: qemu-system-arm (Debian: apt install qemu-system-arm), \
+defmt-print (cargo install defmt-print --locked)" ]
+}

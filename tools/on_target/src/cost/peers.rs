@@ -1,0 +1,99 @@
+//! Errors of the peers, by the code that the boards count.
+
+use kit::accuracy::reference::{self, Direction, Id};
+use kit::formulas::{EXPONENT, Libm, Maths, Micromath, Plane, Space};
+use kit::study::errors::{Errors, of_angle, of_map, of_quantile};
+use kit::study::inputs::{Uniforms, angles};
+
+/// Uniforms in each octave that an error is the worst of, as in `tools/accuracy_cost`.
+const PER_OCTAVE: u32 = 64;
+
+/// The largest relative error of a peer's operation; of a `sample` that of (cos θ, sin θ).
+pub(crate) fn error(binary: &str, law: &str, operation: &str) -> Option<f64> {
+    let errors = match binary {
+        "libm" => of::<Libm>(law, operation),
+        "micromath" => of::<Micromath>(law, operation),
+        _ => None,
+    };
+    errors.map(|e| e.worst())
+}
+
+enum Kind {
+    Plane(Plane, Id),
+    Space(Space, Id),
+}
+
+fn kind(law: &str) -> Option<Kind> {
+    Some(match law {
+        "Disk" => Kind::Plane(Plane::Disk, Id::Disk),
+        "CircleShell" => Kind::Plane(Plane::CircleShell, Id::CircleShell),
+        "CircleArc" => Kind::Plane(Plane::CircleArc, Id::CircleArc),
+        "Ball" => Kind::Space(Space::Ball, Id::Ball),
+        "SphereShell" => Kind::Space(Space::SphereShell, Id::SphereShell),
+        "Lambert" => Kind::Space(Space::Lambert, Id::Lambert),
+        "CosPower(20)" => Kind::Space(Space::CosPower, Id::CosPower(EXPONENT.into())),
+        _ => return None,
+    })
+}
+
+fn of<M: Maths + 'static>(law: &str, operation: &str) -> Option<Errors> {
+    Some(match (kind(law)?, operation) {
+        // Of two uniforms: no map of one tail.
+        (Kind::Plane(Plane::Disk, _), "sample" | "quantile") => return None,
+        (Kind::Plane(law, id), "sample") => {
+            of_map::<f32, 2>(id, false, Uniforms::Grid, PER_OCTAVE, |u| {
+                law.direction::<M>(u, || 0.0)
+            })
+        }
+        (Kind::Space(law, id), "sample") => {
+            of_map::<f32, 3>(id, true, Uniforms::Grid, PER_OCTAVE, |u| {
+                law.direction::<M>(u, 0.3)
+            })
+        }
+        (Kind::Plane(law, id), "quantile") => {
+            of_quantile::<f32>(id, PER_OCTAVE, |p| law.quantile::<M>(p).unwrap_or(f32::NAN))
+        }
+        (Kind::Space(law, id), "quantile") => {
+            of_quantile::<f32>(id, PER_OCTAVE, |p| law.quantile::<M>(p))
+        }
+        (Kind::Plane(law, id), "pdf") => pdf(id, |x| law.pdf::<M>(x)),
+        (Kind::Space(law, id), "pdf") => pdf(id, |x| law.pdf::<M>(x)),
+        (Kind::Plane(law, id), "cdf") => cdf(id, |x| law.cdf::<M>(x)),
+        (Kind::Space(law, id), "cdf") => cdf(id, |x| law.cdf::<M>(x)),
+        _ => return None,
+    })
+}
+
+fn pdf(id: Id, f: impl Fn(f32) -> f32) -> Errors {
+    let inputs = angles::<f32>(id.planar());
+    of_angle(&inputs.counted, f, |theta| {
+        reference::pdf(id, &Direction::at_angle(theta.abs()))
+    })
+}
+
+fn cdf(id: Id, f: impl Fn(f32) -> f32) -> Errors {
+    let inputs = angles::<f32>(id.planar());
+    of_angle(&inputs.counted, f, |theta| {
+        let (lower, upper) = reference::tails(id, &Direction::at_angle(theta.abs()));
+        // A planar law's tails are those at −|θ|.
+        if id.planar() && theta > 0.0 {
+            upper
+        } else {
+            lower
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_peers_err_as_their_kind_does() {
+        let sample = |binary, law| error(binary, law, "sample").unwrap();
+        assert!(sample("libm", "Lambert") < 1e-6);
+        let micromath = sample("micromath", "Lambert");
+        assert!((1e-3..1.0).contains(&micromath), "{micromath}");
+        assert_eq!(error("libm", "Disk", "sample"), None);
+    }
+}
