@@ -43,6 +43,10 @@ pub(crate) enum LawName {
 
 impl LawName {
     /// The command line's spelling.
+    pub(crate) fn figure(self) -> String {
+        self.slug() + ".svg"
+    }
+
     pub(crate) fn slug(self) -> String {
         self.to_possible_value()
             .map_or_else(String::new, |value| value.get_name().to_owned())

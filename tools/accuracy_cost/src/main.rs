@@ -48,11 +48,5 @@ fn main() -> ExitCode {
         None if args.check => check::run(),
         None => study::run(&args),
     };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(e) => {
-            eprintln!("accuracy_cost: {e}");
-            ExitCode::FAILURE
-        }
-    }
+    output::exit_code("accuracy_cost", done)
 }

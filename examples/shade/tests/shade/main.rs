@@ -10,7 +10,6 @@ mod furnace;
 mod golden;
 mod mutants;
 mod numbers;
-mod random;
 mod shadows;
 mod stage;
 mod sums;

@@ -1,9 +1,9 @@
 //! Every pixel is a number.
 
-use crate::random::{Choose, rendered};
 use crate::stage::{camera, diffuse, lamp, level, material};
 use coslobe::{Fast, Precise};
 use shade::file::World;
+use shade::random::{Choose, rendered};
 use shade_core::{AnyPlanar, Asked, Number, Scene, pixel};
 
 /// Pixels that are none, of the light around a lamp of radius 1 that rests on a floor.

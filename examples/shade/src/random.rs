@@ -1,16 +1,20 @@
-//! Random scenes whose numbers are those that go wrong: touching, nested, far off, tiny and huge.
+//! Random scenes for tests and fuzzing, whose numbers are those that go wrong: touching, nested, far off, tiny
+//! and huge.
 
-use shade::file::{LawName, World};
+use crate::file::{LawName, World};
 use shade_core::effect::{Combine, Fog, Lamp, Sky, Sun};
 use shade_core::{Asked, Camera, Material, Number, Plate, Rgb, Scene, Sphere, Vector, pixel};
 
 /// Makes choices: a number below that which it is given.
-pub(crate) trait Choose {
+pub trait Choose {
+    /// One.
     fn below(&mut self, n: usize) -> usize;
 
+    /// One of a list.
     fn of<T: Copy>(&mut self, list: &[T]) -> T {
         list[self.below(list.len())]
     }
+    /// A length above 0.
     fn length(&mut self) -> f64 {
         let plain = 0.25 + self.below(64) as f64 / 16.0;
         self.of(&[plain, plain, 1.0, 1.0, 0.5, 2.0, 1e-6, 1e-3, 10.0, 3e3, 1e6])
@@ -22,6 +26,7 @@ pub(crate) trait Choose {
         let most = self.of(&[1.0, 4.0, 4.0, 4.0, 1e6]);
         sign * size.min(most)
     }
+    /// Red, green and blue.
     fn light(&mut self) -> [f64; 3] {
         let size = self.of(&[0.0, 1.0, 1.0, 0.7, 1e-6, 1e6]);
         [size, size * 0.5, size * self.of(&[0.0, 1.0])]
@@ -108,7 +113,7 @@ fn camera<V: Vector>(choose: &mut impl Choose, known: &[Round]) -> Camera<V> {
 }
 
 /// A scene that a file could hold, and the law of its diffuse directions.
-pub(crate) fn scene<V: World>(choose: &mut impl Choose) -> (Scene<V>, V::Law) {
+pub fn scene<V: World>(choose: &mut impl Choose) -> (Scene<V>, V::Law) {
     let mut known = Vec::new();
     let mut scene = Scene::new(camera(choose, &known));
     for _ in 0..3 {
@@ -132,11 +137,11 @@ pub(crate) fn scene<V: World>(choose: &mut impl Choose) -> (Scene<V>, V::Law) {
         let _ = scene.lamps.push(Lamp { shape, radiance });
     }
     for _ in 0..choose.below(4) {
-        let [a, b, normal] = axes(choose, false);
-        let (a, b, normal) = if V::DIM == 2 {
-            (a, [0.0; 3], b)
+        let [a, b, normal] = axes(choose, V::DIM == 2);
+        let (b, normal) = if V::DIM == 2 {
+            ([0.0; 3], b)
         } else {
-            (a, b, normal)
+            (b, normal)
         };
         let other = if V::DIM == 2 { 0.0 } else { choose.length() };
         let _ = scene.plates.push(Plate {
@@ -175,8 +180,11 @@ pub(crate) fn scene<V: World>(choose: &mut impl Choose) -> (Scene<V>, V::Law) {
     (scene, law)
 }
 
-/// Renders it small; the first pixel that is no number.
-pub(crate) fn rendered<V: World>(choose: &mut impl Choose, samples: u32) -> Result<(), String> {
+/// Renders one, small.
+///
+/// # Errors
+/// The first pixel that is no number.
+pub fn rendered<V: World>(choose: &mut impl Choose, samples: u32) -> Result<(), String> {
     let (scene, law) = scene::<V>(choose);
     let e = Asked(scene.called_for());
     for y in 0..scene.camera.height {
