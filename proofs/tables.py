@@ -16,7 +16,7 @@ class Format:
         number = lambda text: self.rounded(float(text))
         self.poly = {
             m[1]: [number(c) for c in m[2].replace("\n", " ").split(",") if c.strip()]
-            for m in re.finditer(r"^    (\w+): &\[([^\]]*)\],", source, re.M)
+            for m in re.finditer(r"^    (\w+): &\[([^\]P]*)\],", source, re.M)
         }
         pairs = r"^    (\w+): Pair \{\s*hi: ([-\d.e]+),\s*lo: ([-\d.e]+),?\s*\}"
         self.pair = {m[1]: (number(m[2]), number(m[3])) for m in re.finditer(pairs, source, re.M)}

@@ -1,13 +1,13 @@
-//! A direction as its cosine and sine.
+//! A direction by its cosine and sine.
 
 use crate::scalar::Scalar;
 
 /// A direction by the cosine and sine of its angle θ from the axis.
 ///
-/// Near the axis the sine, near the horizon the cosine holds the digits that an angle beside
-/// ±π/2 has lost; together they keep full relative accuracy everywhere. Operations that read a
-/// pair take the direction from the smaller of |cos| and |sin| unless they say otherwise. A pair that
-/// is not a unit vector to rounding is safe, but no value is promised for it.
+/// Near the axis the sine, near the horizon the cosine holds the digits that an angle beside ±π/2
+/// has lost; together they keep full relative accuracy everywhere. Operations that read a
+/// direction take it from the smaller of |cos| and |sin| unless they say otherwise. A pair of
+/// numbers that is no unit vector to rounding is safe, but no value is promised for it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

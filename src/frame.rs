@@ -23,6 +23,8 @@ pub enum NormalError {
     NotFinite,
     /// All components are zero.
     Zero,
+    /// The length is too far from 1 for integers, which do not scale it.
+    NotUnit,
 }
 
 impl fmt::Display for NormalError {
@@ -30,6 +32,7 @@ impl fmt::Display for NormalError {
         f.write_str(match self {
             NormalError::NotFinite => "the normal has a NaN or infinite component; expected finite",
             NormalError::Zero => "the normal is zero; expected a vector with a direction",
+            NormalError::NotUnit => "the normal's length is not 1; expected a unit vector",
         })
     }
 }

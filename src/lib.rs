@@ -14,8 +14,8 @@
 //! | [`Lambert`] = [`SphereArea`] | surface area | cos θ / π sr⁻¹ | sin²θ | cos θ = u^½ |
 //! | [`CosPower`] | – | (k+1) cosᵏθ / 2π sr⁻¹ | 1 − cosᵏ⁺¹θ | cos θ = u^(1/(k+1)) |
 //!
-//! θ is the angle from +y: the disk or ball of radius ρ is centred at (0, ρ) or (0, ρ, 0), and a ray
-//! at θ leaves it at r = 2ρ cos θ.
+//! θ is the angle from +y: the disk or ball of radius ρ is centred at (0, ρ) or (0, ρ, 0), and a
+//! ray at θ leaves it at r = 2ρ cos θ.
 //!
 //! ```
 //! use coslobe::{Lambert, Law, Spatial};
@@ -45,8 +45,9 @@
 //! assert!((plain - exact).abs() <= 2e-7 && (fast - exact).abs() < 3e-4);
 //! ```
 //!
-//! What each costs is in [`accuracy`], measured beside its errors. Where there is no floating-point unit, `Fixed(Disk)`
-//! (feature `fixed`) is the same law in integers alone, `Fixed16(Disk)` in 16 bits. [`self_test`] is a self-test for power-on.
+//! What each costs is in [`accuracy`], measured beside its errors. Where there is no
+//! floating-point unit, `Fixed(Disk)` (feature `fixed`) is the same law in integers alone,
+//! `Fixed16(Disk)` in 16 bits. [`self_test`] is a self-test for power-on.
 //!
 //! # Where to enter
 //!
@@ -58,21 +59,33 @@
 //!
 //! # Promises
 //!
-//! No allocation, no panic, no static memory, no unsafe code, no loop that a generator could hold up.
-//! The errors of every operation are within the table in [`accuracy`], which the tests read.
-//! Samples are unit vectors to 2 ulp (of [`Fast`]: to 2⁻¹²), inside the open support, with positive
-//! finite density. `f32` and `Fast<f32>` use no `f64` arithmetic. No feature changes a value.
+//! No allocation, no panic, no static memory, no unsafe code, no loop that a generator could hold
+//! up. The errors of every operation are within the table in [`accuracy`], which the tests read.
+//! Samples are unit vectors to 2 ulp (of [`Fast`]: to 2⁻¹²), inside the open support, with
+//! positive finite density. `f32` and `Fast<f32>` use no `f64` arithmetic. No feature changes a
+//! value.
 //!
 //! Source of the laws: V. Chizhov, *Probability density functions of the normalized disk, circle,
 //! ball and sphere*; [`SphereShell`] and [`CircleShell`] say where its measure differs from its
 //! problem statement.
 
+#[cfg(feature = "std")]
+extern crate std;
+
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!(
+    "coslobe gives the same bits on every target, and x87 registers round to more digits than f32 \
+     and f64 have: build with RUSTFLAGS=\"-C target-feature=+sse2\", or for an i686 target"
+);
+
 pub mod accuracy;
 mod arithmetic;
+pub mod batch;
 mod cos_sin;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 mod frame;
+mod generator;
 pub mod integration;
 mod law;
 mod moments;
@@ -85,22 +98,24 @@ mod tails;
 pub mod uniform;
 mod weight;
 
+pub use batch::{Batch, LengthError};
 pub use cos_sin::CosSin;
 #[cfg(feature = "fixed")]
 pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
+pub use generator::{FromFn, TryFromFn, from_fn, try_from_fn};
 pub use law::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Planar, Spatial,
-    SphereArea, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Measure, Planar,
+    Spatial, SphereArea, SphereShell,
 };
 pub use moments::Moments;
 pub use number::{Fast, Precise, Real};
-pub use point::{Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
+pub use point::{PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 pub use rand_core;
 pub use sample::Sample;
 pub use tails::Tails;
 pub use weight::{balance_heuristic, power_heuristic};
 
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "fixed"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,6 +1,6 @@
 //! Exact moments, for checking estimators.
 
-/// Exact moments of a law, correctly rounded for the six fixed laws.
+/// Exact moments of a law, correctly rounded for the six laws without a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

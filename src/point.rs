@@ -1,13 +1,10 @@
 //! The point before it was normalised.
 
-use crate::arithmetic::constants::Constants;
 use crate::arithmetic::holds::Holds;
-use crate::arithmetic::kernel::Kernel;
-use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
+use crate::law::Point;
 use crate::number::Real;
 use crate::number::tier::Margin;
-use crate::{CosSin, Law, Planar, Spatial, uniform};
+use crate::{CosSin, Law, Measure, Planar, Spatial, uniform};
 use core::fmt;
 use rand_core::Rng;
 
@@ -67,24 +64,6 @@ impl<T: Real> Radius<T> {
     }
 }
 
-/// By which measure the point is uniform, and so what its density is per.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Measure {
-    /// Area of the disk.
-    Area,
-    /// Arc length of the circle.
-    ArcLength,
-    /// Radial shell on the circle: dr dθ.
-    CircleShell,
-    /// Volume of the ball.
-    Volume,
-    /// Area of the sphere.
-    SurfaceArea,
-    /// Radial shell on the sphere: dr dθ dφ.
-    SphereShell,
-}
-
 /// Laws whose direction comes from a point of the tangent disk, circle, ball or sphere.
 ///
 /// The point lies at distance r from the origin: r = 2ρ cos θ on the curve or surface,
@@ -96,16 +75,9 @@ pub trait Tangent<T: Real>: Law<T> {
     /// Distance r of the point in direction `at`, for a uniform v in \[0, 1\] that only
     /// [`Measure::Area`] and [`Measure::Volume`] read.
     ///
-    /// Rounded once at the end, so only an r below the smallest number becomes 0. Error < 4 ulp.
-    #[inline]
-    fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T {
-        let share = match Self::MEASURE {
-            Measure::Area => v.sqrt(),
-            Measure::Volume => cube_root(v),
-            _ => T::ONE,
-        };
-        (rho.get() + rho.get()) * (at.cos * share)
-    }
+    /// No product on the way is smaller than r, so that only an r below the smallest number
+    /// becomes 0. Error < 4 ulp; of `Precise` at most 0.55.
+    fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T;
 
     /// Joint density of the point at distance `r` in direction `at`, per unit of
     /// [`MEASURE`](Tangent::MEASURE).
@@ -114,77 +86,98 @@ pub trait Tangent<T: Real>: Law<T> {
     /// the circle and sphere. For the shells the coefficient of δ(r − 2ρ cos θ) per dr dθ (dφ),
     /// which is the law's pdf. On curves, surfaces and shells `r` is not read. Overflows or
     /// underflows only where the value itself does: see
-    /// [`ln_point_density`](Tangent::ln_point_density). Error < 4 ulp.
-    #[inline]
-    fn point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
-        let (recip_rho, recip_pi) = (T::ONE / rho.get(), constant::<T>(|c| c.recip_pi));
-        let value = match Self::MEASURE {
-            Measure::Area => recip_pi / rho.get() * recip_rho,
-            Measure::ArcLength => recip_pi * T::HALF / rho.get(),
-            Measure::CircleShell => self.density(at),
-            Measure::Volume => {
-                constant::<T>(|c| c.three_over_two_pi) * T::HALF / rho.get() * recip_rho * recip_rho
-            }
-            Measure::SurfaceArea => recip_pi * T::QUARTER / rho.get() * recip_rho,
-            Measure::SphereShell => self.density(at) * at.sin.abs(),
-        };
-        inside(Self::MEASURE, rho, at, r, value, T::ZERO)
-    }
+    /// [`ln_point_density`](Tangent::ln_point_density). Error < 4 ulp; of `Precise` at most 0.55.
+    fn point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T;
 
-    /// Natural logarithm of [`point_density`](Tangent::point_density), finite for every radius.
-    /// Error < 4 ulp of its larger term.
-    #[inline]
-    fn ln_point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
-        let (ln_rho, ln_pi, ln_2) = (
-            ln(rho.get()),
-            constant::<T>(|c| c.ln_pi),
-            constant::<T>(|c| c.ln_2),
-        );
-        let value = match Self::MEASURE {
-            Measure::Area => -(ln_pi + ln_rho * T::int(2)),
-            Measure::ArcLength => -(constant::<T>(|c| c.ln_two_pi) + ln_rho),
-            Measure::CircleShell => ln(self.density(at)),
-            Measure::Volume => {
-                constant::<T>(|c| c.ln_three_over_two_pi) - (ln_2 + ln_rho * T::int(3))
-            }
-            Measure::SurfaceArea => -(ln_pi + (ln_2 + ln_rho) * T::int(2)),
-            Measure::SphereShell => ln(self.density(at)) + ln(at.sin.abs()),
-        };
-        inside(Self::MEASURE, rho, at, r, value, -T::INFINITY)
-    }
+    /// Natural logarithm of [`point_density`](Tangent::point_density), finite for every radius, and
+    /// where the density underflows.
+    /// Error < 4 ulp of its largest term; of `Precise` at most 0.55.
+    fn ln_point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T;
 
     /// Draws r for a direction; only disk and ball draw a word for it, as [`uniform::unit`].
+    fn sample_distance<R: Rng + ?Sized>(&self, rho: Radius<T>, at: CosSin<T>, rng: &mut R) -> T;
+}
+
+impl<T: Real, L: Point + Law<T>> Tangent<T> for L {
+    const MEASURE: Measure = L::MEASURE;
+
+    #[inline]
+    fn distance(&self, rho: Radius<T>, at: CosSin<T>, v: T) -> T {
+        let [r] = T::rounded(
+            Margin::Relative,
+            || [distance::<T, T::Quick, L>(rho, at, v)],
+            || [distance::<T, T::Accurate, L>(rho, at, v)],
+        );
+        r
+    }
+
+    #[inline]
+    fn point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
+        let [value] = T::rounded(
+            Margin::Relative,
+            || {
+                [L::point_density::<T::Quick>(
+                    Holds::from_number(rho.get()),
+                    Holds::from_components(at),
+                )]
+            },
+            || {
+                [L::point_density::<T::Accurate>(
+                    Holds::from_number(rho.get()),
+                    Holds::from_components(at),
+                )]
+            },
+        );
+        // + 0 turns the −0 of a cosine −0 into +0.
+        on_ray::<T, L>(rho, at, r, value, T::ZERO) + T::ZERO
+    }
+
+    #[inline]
+    fn ln_point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T {
+        let [value] = T::rounded(
+            Margin::OfOne,
+            || {
+                [L::ln_point_density::<T::Quick>(
+                    Holds::from_number(rho.get()),
+                    Holds::from_components(at),
+                )]
+            },
+            || {
+                [L::ln_point_density::<T::Accurate>(
+                    Holds::from_number(rho.get()),
+                    Holds::from_components(at),
+                )]
+            },
+        );
+        on_ray::<T, L>(rho, at, r, value, -T::INFINITY)
+    }
+
     #[inline]
     fn sample_distance<R: Rng + ?Sized>(&self, rho: Radius<T>, at: CosSin<T>, rng: &mut R) -> T {
-        let v = match Self::MEASURE {
-            Measure::Area | Measure::Volume => uniform::unit(rng),
-            _ => T::ONE,
+        let v = if L::IS_SOLID {
+            uniform::unit(rng)
+        } else {
+            T::ONE
         };
         self.distance(rho, at, v)
     }
 }
 
+/// 2ρ cos θ, or a root of v of it: the product of the large factors first.
+#[inline]
+fn distance<T: Real, W: Holds<T>, L: Point>(rho: Radius<T>, at: CosSin<T>, v: T) -> W {
+    let rho = W::from_number(rho.get());
+    (rho + rho) * W::from_number(at.cos) * L::share(W::from_number(v))
+}
+
 /// `value` where the ray has a point at `r` (or `r` is not read), `outside` elsewhere.
 #[inline]
-fn inside<T: Real>(
-    measure: Measure,
-    rho: Radius<T>,
-    at: CosSin<T>,
-    r: T,
-    value: T,
-    outside: T,
-) -> T {
-    let (solid, planar) = match measure {
-        Measure::Area => (true, true),
-        Measure::ArcLength | Measure::CircleShell => (false, true),
-        Measure::Volume => (true, false),
-        Measure::SurfaceArea | Measure::SphereShell => (false, false),
-    };
-    let on_ray = at.cos >= T::ZERO && (planar || at.sin >= T::ZERO);
-    let reached = !solid || (r >= T::ZERO && r <= (rho.get() + rho.get()) * at.cos);
+fn on_ray<T: Real, L: Point>(rho: Radius<T>, at: CosSin<T>, r: T, value: T, outside: T) -> T {
+    let is_ray = at.cos >= T::ZERO && (L::IS_PLANAR || at.sin >= T::ZERO);
+    let reached = !L::IS_SOLID || (r >= T::ZERO && r <= (rho.get() + rho.get()) * at.cos);
     if r.is_nan() || at.cos.is_nan() || at.sin.is_nan() {
         T::NAN
-    } else if on_ray && reached {
+    } else if is_ray && reached {
         value
     } else {
         outside
@@ -219,29 +212,3 @@ pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
 }
 
 impl<T: Real, L: Spatial<T> + Tangent<T>> SpatialPoint<T> for L {}
-
-/// An exact constant, rounded to the format.
-#[inline(always)]
-fn constant<T: Real>(of: impl Fn(&Constants<Pair<T::Base>>) -> Pair<T::Base>) -> T {
-    T::from_base(of(&<T::Base as Native>::CONSTANTS).value())
-}
-
-#[inline]
-fn ln<T: Real>(x: T) -> T {
-    let [ln] = T::rounded(
-        Margin::Relative,
-        || [T::Quick::from_number(x).ln()],
-        || [T::Accurate::from_number(x).ln()],
-    );
-    ln
-}
-
-#[inline]
-fn cube_root<T: Real>(x: T) -> T {
-    let [root] = T::rounded(
-        Margin::Relative,
-        || [T::Quick::from_number(x).cbrt()],
-        || [T::Accurate::from_number(x).cbrt()],
-    );
-    root
-}

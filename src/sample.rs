@@ -1,14 +1,13 @@
 //! A direction with what an integrator needs of it.
 
 use crate::CosSin;
-use crate::scalar::Scalar;
 
 /// A drawn direction with its cosine, sine and density.
 ///
-/// `at` and `density` are those of the angle that was drawn: they come before any rotation, so that
-/// cos θ > 0 and 0 < density < ∞ hold whatever the rotation rounds `direction` to. A renderer weighs
-/// the sample by them and never has to find cos θ again as a dot product, whose error of a few ulps
-/// of 1 may be all of a small cosine, or its sign.
+/// `at` and `density` are those of the angle that was drawn: they come before any rotation, so
+/// that cos θ > 0 and 0 < density < ∞ hold whatever the rotation rounds `direction` to. A renderer
+/// weighs the sample by them and never has to find cos θ again as a dot product, whose error of a
+/// few ulps of 1 may be all of a small cosine, or its sign.
 ///
 /// ```
 /// use coslobe::{Lambert, Spatial};
@@ -23,16 +22,16 @@ use crate::scalar::Scalar;
 /// Source: the `Sample { v, pdf }` of Embree's tutorials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Sample<T, const N: usize> {
+pub struct Sample<T, const N: usize, D = T> {
     /// The unit vector: of a law's own axes, or around a normal.
     pub direction: [T; N],
     /// (cos θ, sin θ), θ from the law's axis.
     pub at: CosSin<T>,
     /// The law's density at `at`, to the bit: rad⁻¹ in 2D, sr⁻¹ in 3D.
-    pub density: T,
+    pub density: D,
 }
 
-impl<T: Scalar, const N: usize> Sample<T, N> {
+impl<T, const N: usize, D> Sample<T, N, D> {
     /// The same sample in another frame: `turn` rotates its direction.
     #[inline(always)]
     pub(crate) fn rotated(self, turn: impl FnOnce([T; N]) -> [T; N]) -> Self {

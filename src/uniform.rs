@@ -35,8 +35,9 @@ pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
 
 /// (cos φ, sin φ) of a uniform azimuth: the word n stands for n + ½ parts of the whole turn.
 ///
-/// Never exactly on an axis or a diagonal. Error of each component: 2.302 ulp for `f32` (exhaustive,
-/// worst word 0x150de96f), 2.222 ulp for `f64` (observed, 10⁶ words, worst 0xab03af3e485dfc88).
+/// Never exactly on an axis or a diagonal. Error of each component: 2.302 ulp for `f32`
+/// (exhaustive, worst word 0x150de96f), 2.222 ulp for `f64` (observed, 10⁶ words, worst
+/// 0xab03af3e485dfc88).
 #[inline]
 pub fn azimuth_from_bits<T: Real>(bits: TurnBits<T>) -> CosSin<T> {
     T::turn_from_bits(bits)

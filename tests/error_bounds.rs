@@ -17,14 +17,14 @@ fn holds<T: Format>(subjects: &[Subject<T>], tally: &Tally) {
 
 fn swept<T: Tiers>(ids: &[Id], stride: u64) {
     let subjects = Subject::<T>::all(ids);
-    for input in [Input::Angle, Input::Tail] {
+    for input in Input::ALL {
         holds(&subjects, &sweep(&subjects, input, stride, |_| ()));
     }
 }
 
 fn sampled<T: Tiers>(ids: &[Id], n: u64) {
     let subjects = Subject::<T>::all(ids);
-    for input in [Input::Angle, Input::Tail] {
+    for input in Input::ALL {
         holds(&subjects, &sample(&subjects, input, n, |_| ()));
     }
 }

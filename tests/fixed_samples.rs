@@ -69,7 +69,7 @@ where
 /// Of a maximum of n words below 2^(32−s) the probability is 2^−ns; of two words as one number, 2^−s.
 #[test]
 fn laws() {
-    let shifted: Shape = |i, word| {
+    const SHIFTED: Shape = |i, word| {
         if i < 4 {
             u64::from(word as u32 >> 15)
         } else {
@@ -104,26 +104,31 @@ fn laws() {
         Ball,
         &claim("Ball", false, 3.0, Ball.moments()),
         60,
-        shifted,
+        SHIFTED,
     );
-    check(Disk, &claim("Disk", true, 2.0, Disk.moments()), 46, shifted);
+    check(
+        Disk,
+        &claim("Disk", true, 2.0, Disk.moments()),
+        46,
+        |i, word| match i {
+            // The top bit is the sign.
+            0 => (word & 0x8000_0000) | ((word & 0x7FFF_FFFF) >> 15),
+            _ => SHIFTED(i, word),
+        },
+    );
     check(
         CircleShell,
         &claim("CircleShell", true, 1.0, CircleShell.moments()),
         31,
         |i, word| {
-            if i == 0 {
-                u64::from(word as u32 >> 30)
-            } else {
-                word
-            }
+            if i == 0 { word & 0x8000_0001 } else { word }
         },
     );
     check(
         CircleArc,
         &claim("CircleArc", true, 0.0, CircleArc.moments()),
         17,
-        |_, word| word | 0xFFFF_0000,
+        |_, word| word | 0x7FFF_8000,
     );
     for k in [0.0, 0.5, 7.25, 200.0, 10_000.0] {
         let moments = coslobe::CosPower::new(k)

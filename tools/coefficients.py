@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 import fast_coefficients
-from mpmath import mp, mpf, asin, atan, cos, chebyt, ln, pi, sin, sqrt, findroot
+from mpmath import mp, mpf, asin, atan, atanh, cos, expm1, ln, log1p, pi, sin, sqrt
 
 mp.dps = 110
 
@@ -132,6 +132,40 @@ POLYNOMIALS = [
      "(atan x - x) / x^3 in x^2, |x| <= 1/2"),
 ]
 
+def limit(f, at_zero):
+    """f, by its limit at 0, where its quotient is 0 / 0."""
+    return lambda x: f(x) if abs(x) > mpf(10) ** -25 else mpf(at_zero)
+
+
+def short(x, bits):
+    """x cut to a multiple of 2^-bits."""
+    return mp.ldexp(mp.nint(mp.ldexp(x, bits)), -bits)
+
+
+# Factors that bring a significand to within LOG_SPAN of 1, each from the significand given.
+LOG_PARTS = [(mpf("0.6484375"), mpf("1.40625")), (mpf("0.771"), mpf("1.1875")), (mpf("0.917"), mpf(1)),
+             (mpf("1.0905"), mpf("0.84375"))]
+LOG_SPAN = mpf("0.096")
+THIRD_HEAD = mpf(5461) / 16384
+
+
+def spanning(bits):
+    """name, function of x, ends of the interval, log2 of the error wanted, doc"""
+    atanh_rest = limit(lambda w: (atanh(sqrt(w)) - sqrt(w)) * 2 / sqrt(w) ** 3, mpf(2) / 3)
+    # The terms whose rounding would count stay apart: log2.rs, trig.rs.
+    f32 = bits == 24
+    return [
+        ("atanh", atanh_rest, mpf(0), (3 - 2 * sqrt(2)) ** 2 * (1 + mpf(2) ** -12), -20 if f32 else -50,
+         "(2 atanh s - 2 s) / s^3 in s^2, |s| <= 3 - sqrt 8"),
+        ("exp2_bend", limit(lambda r: (expm1(r * ln(2)) / r - ln(2)) / r, ln(2) ** 2 / 2), -mpf("0.502"), mpf("0.502"),
+         -22 if f32 else -52, "(2^r - 1 - r ln 2) / r^2, |r| <= 1/2"),
+        ("log_series", limit(lambda f: (log1p(f) - f + f**2 / 2 - f**3 / 3) / f**4, -mpf(1) / 4), -LOG_SPAN, LOG_SPAN,
+         mpf("-22") if f32 else mpf("-53.3"), "(ln(1 + f) - its terms below f^4) / f^4, |f| <= 0.096"),
+        ("sine_tail", limit(root(lambda x: (sin(x) - x + x**3 / 6 - x**5 / 120) / x**7), -mpf(1) / 5040), mpf(0), mpf("0.618"),
+         mpf("-20") if f32 else mpf("-51.5"), "(sin x - its terms below x^7) / x^7 in x^2, x <= pi/4"),
+    ]
+
+
 # Exact constants, stored as hi + lo.
 CONSTANTS = [
     ("half_pi", pi / 2, "pi / 2"),
@@ -150,15 +184,6 @@ CONSTANTS = [
     ("ln_three_over_two_pi", ln(3 / (2 * pi)), "ln 3 / 2 pi"),
 ]
 
-# law: mean cos, mean cos^2, mean theta, mean theta^2, entropy
-MOMENTS = [
-    ("disk", 8 / (3 * pi), mpf(3) / 4, 0, pi**2 / 12 - mpf(1) / 2, ln(2 * pi) - 1),
-    ("circle_shell", pi / 4, mpf(2) / 3, 0, pi**2 / 4 - 2, 1),
-    ("circle_arc", 2 / pi, mpf(1) / 2, 0, pi**2 / 12, ln(pi)),
-    ("ball", mpf(4) / 5, mpf(2) / 3, 3 * pi / 16, 3 * pi**2 / 32 - mpf(1) / 2, ln(pi / 2) + mpf(3) / 4),
-    ("sphere_shell", mpf(3) / 4, mpf(3) / 5, mpf(2) / 3, 2 * pi / 3 - mpf(14) / 9, ln(2 * pi / 3) + mpf(2) / 3),
-    ("lambert", mpf(2) / 3, mpf(1) / 2, pi / 4, pi**2 / 8 - mpf(1) / 2, ln(pi) + mpf(1) / 2),
-]
 
 def over_even_powers(n):
     """a_j of integral of cos^n = sqrt(pi/2t) sum a_j m^-2j, from ln Gamma(m + 1/4) - ln Gamma(m + 3/4)."""
@@ -188,7 +213,7 @@ def over_powers(n):
     return b[1:]
 
 
-# Taylor and atanh series, leading terms as hi + lo, for the few places that need ~2^-64.
+# 1 / n! with alternating sign, of sin x / x or cos x.
 def factorial_series(odd, n):
     out, f = [], mpf(1)
     for j in range(1, n + 1):
@@ -196,19 +221,6 @@ def factorial_series(odd, n):
         f *= a * (a + 1)
         out.append((-1) ** j / f)
     return out
-
-
-def series_specs(bits):
-    n = 11 if bits == 53 else 6
-    m = 13 if bits == 53 else 6
-    return [
-        ("sin_series", factorial_series(True, n), "(sin x - x) / x^3, Taylor"),
-        ("cos_series", factorial_series(False, n), "(cos x - 1) / x^2, Taylor"),
-        ("atanh_series", [mpf(1) / (2 * j + 3) for j in range(m)], "(atanh z - z) / z^3, Taylor"),
-    ]
-
-
-HEAD = 4
 
 
 def round_to(x, bits):
@@ -254,20 +266,18 @@ def read_fit(script):
     return cs, err
 
 
-def fit(coefficients, top, share, bits):
-    """Sollya's polynomial of least degree with share * relative error < 2^-(bits + 2)."""
-    target = mpf(2) ** -(bits + 2) / share
+def fit(coefficients, bottom, top, target, bits):
+    """Sollya's polynomial of least degree with a relative error below the target."""
     proxy = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(coefficients))
-    lo = 2 if bits == 24 else 5
     script = f"""
 prec = 400!;
 f = horner({proxy});
-top = {mp.nstr(top, 40)};
+span = [{mp.nstr(bottom, 40)}; {mp.nstr(top, 40)}];
 found = 0;
-for n from {lo} to {12 if bits == 24 else 34} do {{
+for n from 2 to {12 if bits == 24 else 34} do {{
   if (found == 0) then {{
-    p = fpminimax(f, n, [|{"SG" if bits == 24 else "D"}...|], [0; top], relative);
-    e = dirtyinfnorm(p / f - 1, [0; top]);
+    p = fpminimax(f, n, [|{"SG" if bits == 24 else "D"}...|], span, relative);
+    e = dirtyinfnorm(p / f - 1, span);
     if (e < {mp.nstr(target, 20)}) then {{
       found = 1;
       for i from 0 to n do {{ print("C", coeff(p, i)); }};
@@ -294,8 +304,7 @@ def emit(bits, fits):
         "#![allow(clippy::approx_constant)] // the constants are the point",
         "",
         "use super::pair::Pair;",
-        "use super::table::{Series, Table};",
-        "use crate::Moments;",
+        "use super::table::{Part, Table};",
         "use crate::arithmetic::constants::Constants;",
         "",
         f"pub(crate) const CONSTANTS: Constants<Pair<{ty}>> = Constants {{",
@@ -303,11 +312,6 @@ def emit(bits, fits):
     for name, value, doc in CONSTANTS:
         lines += [f"    // {doc}", f"    {name}: {pr(value)},"]
     lines += ["};", "", f"pub(crate) const TABLE: Table<{ty}> = Table {{"]
-    for name, cos1, cos2, theta1, theta2, entropy in MOMENTS:
-        values = [cos1, cos2 - cos1**2, theta1, theta2 - mpf(theta1) ** 2, entropy]
-        fields = ["mean_cos", "var_cos", "mean_theta", "var_theta", "entropy"]
-        lines += [f"    {name}_moments: Moments {{"]
-        lines += [f"        {f}: {t(round_to(mpf(v), bits))}," for f, v in zip(fields, values)] + ["    },"]
     for name, cs, err, doc in fits:
         lines += [f"    // {doc}; relative error 2^{mp.nstr(err, 4)}", f"    {name}: &["]
         lines += [f"        {t(c)}," for c in cs] + ["    ],"]
@@ -317,11 +321,23 @@ def emit(bits, fits):
     ]:
         lines += [f"    // {doc}; asymptotic", f"    {name}: &["]
         lines += [f"        {t(round_to(c, bits))}," for c in cs] + ["    ],"]
-    for name, cs, doc in series_specs(bits):
-        head = HEAD if bits == 53 else 2
-        lines += [f"    // {doc}", f"    {name}: Series {{", "        head: &["]
-        lines += [f"            {pr(c)}," for c in cs[:head]] + ["        ],", "        tail: &["]
-        lines += [f"            {t(round_to(c, bits))}," for c in cs[head:]] + ["        ],", "    },"]
+    lines += ["    // significand from, factor, log2 of its inverse", "    log_parts: ["]
+    for start, factor in LOG_PARTS:
+        log = -ln(factor) / ln(2)
+        head = short(log, 12 if bits == 24 else 30)
+        lines += [f"        Part {{ from: {t(round_to(start, bits))}, factor: {t(factor)}, "
+                  f"log: Pair {{ hi: {t(head)}, lo: {t(round_to(log - head, bits))} }} }},"]
+    lines += ["    ],", f"    log_turn: {t(1 - LOG_PARTS[0][0])},"]
+    for name, value, digits in [("log2_e", 1 / ln(2), 11 if bits == 24 else 25), ("ln_2", ln(2), 12 if bits == 24 else 26)]:
+        head = short(value, digits)
+        lines += [f"    // {name.replace('_', ' ')}, its first word half as long",
+                  f"    {name}: Pair {{ hi: {t(head)}, lo: {t(round_to(value - head, bits))} }},"]
+    lines += ["    // 1 / 3, its first word of 13 bits",
+              f"    third: Pair {{ hi: {t(THIRD_HEAD)}, lo: {t(round_to(mpf(1) / 3 - THIRD_HEAD, bits))} }},"]
+    rest = pi / 2 - sum(pair(pi / 2, bits))
+    lines += ["    // what half_pi leaves", f"    half_pi_rest: {t(round_to(rest, bits))},"]
+    lines += ["    // coefficients of x^3, x^5, ... in sin x, those that sine_tail leaves", "    sine_head: &["]
+    lines += [f"        {pr(c)}," for c in factorial_series(True, 2)] + ["    ],"]
     lines += ["};", ""]
     path = f"src/arithmetic/native/coefficients_{ty}.rs"
     with open(path, "w") as f:
@@ -428,9 +444,12 @@ def emit_double():
 def main():
     proxies = [(n, series_free(f, 0, top), top, share, doc) for n, f, top, share, doc in POLYNOMIALS]
     for bits in (24, 53):
+        specs = [(name, proxy, mpf(0), top, mpf(2) ** -(bits + 2) / share, doc) for name, proxy, top, share, doc in proxies]
+        specs += [(name, series_free(f, lo, hi, 40), lo, hi, mpf(2) ** error, doc)
+                  for name, f, lo, hi, error, doc in spanning(bits)]
         fits = []
-        for name, proxy, top, share, doc in proxies:
-            cs, err = fit(proxy, top, share, bits)
+        for name, proxy, lo, hi, target, doc in specs:
+            cs, err = fit(proxy, lo, hi, target, bits)
             print(f"{bits} bits: {name}: degree {len(cs) - 1}, relative error 2^{mp.nstr(err, 4)}", flush=True)
             fits.append((name, cs, err, doc))
         emit(bits, fits)

@@ -1,6 +1,6 @@
-//! Exact constants, in any arithmetic.
+//! The constants of the laws' formulas, in any arithmetic.
 
-/// Exact constants, each as wide as the arithmetic asks.
+/// Constants with all digits that the arithmetic holds.
 pub struct Constants<P> {
     pub(crate) half_pi: P,
     pub(crate) two_pi: P,

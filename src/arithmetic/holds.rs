@@ -8,13 +8,15 @@ use crate::{CosSin, Tails};
 pub trait Holds<T: Scalar>: Kernel {
     fn from_number(x: T) -> Self;
 
-    /// The same probability: the nearer tail is exact, so the other is found again from it.
+    /// The same probability: of its tails the nearer one is exact, the other is computed from it
+    /// again.
     #[inline(always)]
     fn from_tails(p: Tails<T>) -> Tails<Self> {
         let (p, is_lower) = p.nearer();
         Tails::from_nearer(Self::from_number(p), is_lower == 0)
     }
 
+    /// Both components as they are.
     #[inline(always)]
     fn from_components(at: CosSin<T>) -> CosSin<Self> {
         CosSin {
@@ -23,8 +25,8 @@ pub trait Holds<T: Scalar>: Kernel {
         }
     }
 
-    /// The direction that the smaller component names: the larger one is found again from it, since
-    /// as a `T` it has been rounded.
+    /// The direction that has the smaller component: the larger one is computed from it again,
+    /// since its rounding to `T` has moved the direction more.
     #[inline(always)]
     fn from_direction(at: CosSin<T>) -> CosSin<Self> {
         let CosSin { cos, sin } = Self::from_components(at);

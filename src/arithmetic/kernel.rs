@@ -1,11 +1,11 @@
-//! The working arithmetic of the laws' formulas.
+//! What an arithmetic gives the laws' formulas.
 
 use super::constants::Constants;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
 /// An intermediate result; where the arithmetic keeps it, with what rounding took from it.
-pub trait Wide<W>: Copy {
+pub trait Wide<W>: Copy + Send + Sync + 'static {
     fn exact(x: W) -> Self;
     fn value(self) -> W;
     /// The value as far as one number holds it, without arithmetic.
@@ -22,14 +22,20 @@ pub trait Wide<W>: Copy {
     fn sqrt(self) -> W;
 }
 
-/// The kernels that laws are written on. A law's formula is written once; which arithmetic runs
-/// it decides what it costs and how exact it is.
+/// An arithmetic by the kernels that it gives the laws. A law's formula is written once; the
+/// arithmetic that runs it decides what it costs and how exact it is.
 pub trait Kernel: Scalar {
     type Wide: Wide<Self>;
+    /// cos θ as its powers are taken.
+    type Cosine: Copy;
+    /// A positive factor of a power.
+    type Scale: Copy + Send + Sync + 'static;
+    /// What n needs for the n-th root of a tail.
+    type TailRoot: Copy + Send + Sync + 'static;
 
     const CONSTANTS: Constants<Self::Wide>;
 
-    /// √(a·b) or √(a/b) by `f`, without losing digits where a is subnormal.
+    /// √f(a), where f(a) is a product or quotient of a, without losing digits where a is subnormal.
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self;
     /// (∜self, √self) for self ≥ 0.
     #[inline(always)]
@@ -41,7 +47,7 @@ pub trait Kernel: Scalar {
     fn cbrt(self) -> Self;
     /// As [`cbrt`](Kernel::cbrt), with what rounding took; for self far from underflow.
     fn cbrt_wide(self) -> Self::Wide;
-    /// True where 1 − x²/2 is 1 and x²'s square counts for nothing.
+    /// True where x is so small that 1 − x²/2 rounds to 1.
     fn is_negligible(self) -> bool;
 
     fn ln(self) -> Self;
@@ -49,7 +55,7 @@ pub trait Kernel: Scalar {
     fn ln_cos(at: CosSin<Self::Wide>) -> Self;
     /// atan2(self, x).
     fn atan2(self, x: Self) -> Self;
-    /// θ of a unit vector with cos θ ≥ 0.
+    /// θ of a direction with cos θ ≥ 0.
     #[inline(always)]
     fn angle(at: CosSin<Self>) -> Self {
         at.sin.atan2(at.cos)
@@ -59,8 +65,6 @@ pub trait Kernel: Scalar {
     fn from_end(a: Self) -> Self::Wide;
     /// (cos θ, |sin θ|) for |θ| ≤ π/2.
     fn at_angle(theta: Self) -> CosSin<Self::Wide>;
-    /// As [`at_angle`](Kernel::at_angle), with the digits that a power of it needs.
-    fn at_angle_fine(theta: Self) -> CosSin<Self::Wide>;
     /// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8.
     fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self>;
     /// (cos, sin) at u turns, 0 ≤ u ≤ 1.
@@ -70,7 +74,7 @@ pub trait Kernel: Scalar {
 
     /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
     fn disk_tail_at_angle(a: Self) -> Self;
-    /// Nearer tail of the disk's law, from the smaller of cos θ and |sin θ|.
+    /// Nearer tail of the disk's law at a direction, from the smaller of cos θ and |sin θ|.
     fn disk_tail_at_direction(cos: Self, sin: Self) -> Self;
     /// (cos θ, |sin θ|) of the disk's law at nearer tail p.
     fn disk_direction_at_tail(p: Self) -> CosSin<Self>;
@@ -79,21 +83,22 @@ pub trait Kernel: Scalar {
 
     /// ln x for finite x > 0.
     fn ln_wide(x: Self::Wide) -> Self::Wide;
-    /// k·ln cos θ for cos θ > 0.
-    fn ln_cos_power(k: Self::Wide, at: CosSin<Self::Wide>) -> Self::Wide;
-    /// c·eᵃ.
-    fn exp_times(a: Self::Wide, c: Self::Wide) -> Self;
-    /// 1 − eᵃ for a ≤ 0.
-    fn one_minus_exp(a: Self::Wide) -> Self;
-    /// (1 − cosⁿθ, cosⁿθ) for cos θ > 0.
-    #[inline]
-    fn power_tails(n: Self::Wide, at: CosSin<Self::Wide>) -> (Self, Self) {
-        let a = Self::ln_cos_power(n, at);
-        let upper = Self::exp_times(a, Self::Wide::exact(Self::ONE));
-        (Self::one_minus_exp(a), upper)
-    }
-    /// (cos θ, sin θ) with cosⁿθ = the upper of the tails p.
-    fn power_warp(p: Tails<Self>, n: Self::Wide) -> CosSin<Self>;
+    /// cos θ of a direction, from the smaller of cos θ and sin θ.
+    fn cosine(at: CosSin<Self>) -> Self::Cosine;
+    /// cos θ of an angle 0 ≤ θ ≤ π/2, and sin θ.
+    fn cosine_at_angle(theta: Self) -> (Self::Cosine, Self);
+    fn scale(x: Self::Wide) -> Self::Scale;
+    /// 2/x.
+    fn two_over(x: Self::Wide) -> Self::Scale;
+    /// `scale`·cosᵏθ·`factor`.
+    fn power_times(k: Self::Wide, at: Self::Cosine, scale: Self::Scale, factor: Self) -> Self;
+    /// k·ln cos θ + ln sin θ + c, −∞ where one of them is 0.
+    fn ln_power_times_sine(k: Self::Wide, at: Self::Cosine, c: Self::Wide) -> Self;
+    /// (1 − cosⁿθ, cosⁿθ) for n ≥ 1.
+    fn power_tails(n: Self::Wide, at: Self::Cosine) -> (Self, Self);
+    fn tail_root(n: Self::Wide) -> Self::TailRoot;
+    /// (cos θ, sin θ) with cosⁿθ = the upper of the tails p, n ≥ 1.
+    fn power_warp(p: Tails<Self>, root: Self::TailRoot) -> CosSin<Self>;
 }
 
 /// An arithmetic that keeps nothing beside its numbers, since they have digits to spare or since it

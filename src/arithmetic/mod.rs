@@ -6,5 +6,6 @@ pub(crate) mod double;
 pub(crate) mod fast;
 pub(crate) mod holds;
 pub(crate) mod kernel;
+pub(crate) mod logarithmic;
 pub(crate) mod native;
 pub(crate) mod scaled;

@@ -1,5 +1,6 @@
 //! [`Ball`]: cos θ = max(u₁, u₂, u₃, u₄).
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::kernel::halve;
 use super::kernel::normal::normal;
@@ -7,7 +8,7 @@ use super::law::Formulas;
 use super::spatial;
 use super::tails::Tails;
 use crate::{Ball, CosSin};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// 2/π in Q32.
 const TWO_OVER_PI: u32 = 2734261102;
@@ -56,7 +57,10 @@ impl<F: Format> Formulas<F> for Ball {
     }
 
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
+    fn try_draw<R: TryRng + ?Sized>(
+        self,
+        rng: &mut R,
+    ) -> Result<Drawn<[F::Component; 3]>, R::Error> {
         F::lobe::<4, R>(rng)
     }
 }

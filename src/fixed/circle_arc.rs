@@ -1,11 +1,12 @@
 //! [`CircleArc`]: θ uniform.
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::law::Formulas;
 use super::planar;
 use super::tails::Tails;
 use crate::{CircleArc, CosSin};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// 1/π in Q32.
 const RECIP_PI: u32 = 1367130551;
@@ -62,11 +63,14 @@ impl<F: Format> Formulas<F> for CircleArc {
         planar::pdf::<F>(turn, |_| RECIP_PI)
     }
 
-    /// One word: its lowest bit is the sign, all of it with that bit set |θ| in quarter turns.
+    /// One word: its top bit is the sign, the others |θ| in quarter turns.
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
-        let word = rng.next_u32();
-        let (cos, sin) = F::quarter(word | 1);
-        planar::direction::<F>(cos, sin, word << 31)
+    fn try_draw<R: TryRng + ?Sized>(
+        self,
+        rng: &mut R,
+    ) -> Result<Drawn<[F::Component; 2]>, R::Error> {
+        let word = rng.try_next_u32()?;
+        let (cos, sin) = F::quarter((word << 1) | 1);
+        Ok(planar::direction::<F>(cos, sin, word))
     }
 }

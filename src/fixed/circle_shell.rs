@@ -1,11 +1,12 @@
 //! [`CircleShell`]: sin θ = 2u − 1.
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::law::Formulas;
 use super::planar;
 use super::tails::Tails;
 use crate::{CircleShell, CosSin};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 #[inline(always)]
 fn lobe<F: Format>(cos: u32) -> u32 {
@@ -67,7 +68,10 @@ impl<F: Format> Formulas<F> for CircleShell {
     }
 
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
+    fn try_draw<R: TryRng + ?Sized>(
+        self,
+        rng: &mut R,
+    ) -> Result<Drawn<[F::Component; 2]>, R::Error> {
         F::chord(rng)
     }
 }

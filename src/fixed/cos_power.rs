@@ -1,5 +1,6 @@
 //! Real exponents.
 
+use super::drawn::Drawn;
 use super::kernel::halve;
 use super::kernel::mul::mul_high;
 use super::kernel::normal::{normal, normal_long};
@@ -13,21 +14,21 @@ use super::spatial;
 use super::tails::Tails;
 use crate::CosSin;
 use ::fixed::types::{I1F31, U16F16};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// The law ∝ cosᵏθ of [`CosPower`](crate::CosPower), its exponent k in fixed point from 0 to 65536
 /// − 2⁻¹⁶.
 ///
-/// It holds k + 1, 1/(k + 1) and (k + 1)/2π, so that no operation divides.
+/// It holds k + 1, 1/(k + 1) and (k + 1)/2π, worked out once, so that no operation divides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CosPower {
     exponent: u32,
-    /// k + 1 = successor·2ᵉ⁻³².
-    successor: u32,
-    /// 1/(k + 1) = recip·2¹⁻ᵉ⁻³².
-    recip: u32,
-    e: i32,
+    /// k, k + 1, 1/(k + 1) and (k + 1)/2π.
+    power: Number,
+    successor: Number,
+    recip: Number,
+    scale: Number,
 }
 
 /// 1/(2π) in Q34: its mantissa, with e = −2.
@@ -54,11 +55,20 @@ impl CosPower {
         let e2 = (u64::from(successor) * u64::from(y)).wrapping_neg() << 1;
         let error = (e2 as i64 >> 32) as i32;
         let change = ((i64::from(y) * i64::from(error)) >> 32) as i32;
+        let (k, shift) = normal(exponent);
+        let successor = Number { m: successor, e };
         CosPower {
             exponent,
+            power: Number {
+                m: k,
+                e: 16 - shift as i32,
+            },
             successor,
-            recip: y.saturating_add_signed(change),
-            e,
+            recip: Number {
+                m: y.saturating_add_signed(change),
+                e: 1 - e,
+            },
+            scale: RECIP_TAU.times(successor),
         }
     }
 
@@ -93,10 +103,7 @@ impl CosPower {
         } else {
             Part::LessThanOne(m, e)
         });
-        log.times(Number {
-            m: self.recip,
-            e: 1 - self.e,
-        })
+        log.times(self.recip)
     }
 
     /// −log₂ cos θ, from the smaller of cos θ and sin θ, neither of which is 0.
@@ -124,25 +131,23 @@ impl CosPower {
         }
     }
 
+    /// Whether cosᵏθ > 0: at cos θ = 0 for k = 0 alone.
+    #[inline(always)]
+    fn above(self, at: CosSin<i32>) -> bool {
+        at.cos > 0 || (at.cos == 0 && self.exponent == 0)
+    }
+
     /// (k+1) cosᵏθ / 2π times `factor` in Q32, in Q16.
     #[inline(always)]
     fn lobe(self, at: CosSin<i32>, factor: u32) -> U16F16 {
-        let scale = RECIP_TAU.times(Number {
-            m: self.successor,
-            e: self.e,
-        });
         let (value, whole) = if at.sin == 0 || self.exponent == 0 {
             (1 << 31, 0)
         } else {
-            let (m, shift) = normal(self.exponent);
-            exp2(Self::log_of(at).times(Number {
-                m,
-                e: 16 - shift as i32,
-            }))
+            exp2(Self::log_of(at).times(self.power))
         };
-        let product = mul_high(mul_high(scale.m, factor), value);
+        let product = mul_high(mul_high(self.scale.m, factor), value);
         // Q31 and 2^e·2^−whole, to Q16.
-        let shift = 15u32.wrapping_add(whole).wrapping_sub(scale.e as u32);
+        let shift = 15u32.wrapping_add(whole).wrapping_sub(self.scale.e as u32);
         U16F16::from_bits(if shift < 32 { product >> shift } else { 0 })
     }
 }
@@ -181,10 +186,7 @@ impl Formulas<Q31> for CosPower {
         if at.sin == 0 {
             return Tails::BELOW;
         }
-        let (value, whole) = exp2(Self::log_of(at).times(Number {
-            m: self.successor,
-            e: self.e,
-        }));
+        let (value, whole) = exp2(Self::log_of(at).times(self.successor));
         Tails::from_upper(if whole == 0 {
             (value.min(i32::MAX as u32)) << 1
         } else {
@@ -202,7 +204,7 @@ impl Formulas<Q31> for CosPower {
 
     #[inline]
     fn density(self, at: CosSin<i32>) -> U16F16 {
-        if at.sin < 0 || at.cos <= 0 {
+        if at.sin < 0 || !self.above(at) {
             return U16F16::ZERO;
         }
         self.lobe(at, u32::MAX).max(U16F16::from_bits(1))
@@ -211,15 +213,15 @@ impl Formulas<Q31> for CosPower {
     #[inline]
     fn pdf(self, turn: i32) -> U16F16 {
         match spatial::at_turn::<Q31>(turn) {
-            Ok(at) if at.cos > 0 => self.lobe(at, (at.sin as u32) << 1),
+            Ok(at) if self.above(at) => self.lobe(at, (at.sin as u32) << 1),
             _ => U16F16::ZERO,
         }
     }
 
     /// cos θ = u^(1/(k+1)) of two words: both tails down to 2⁻⁶⁴.
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [I1F31; 3] {
-        let u = draw::long(rng) | 1;
+    fn try_draw<R: TryRng + ?Sized>(self, rng: &mut R) -> Result<Drawn<[I1F31; 3]>, R::Error> {
+        let u = draw::long(rng)? | 1;
         let (cos, sin) = Self::at_log(self.log_cos(u.wrapping_neg(), u));
         draw::spatial(cos, sin, rng)
     }

@@ -1,11 +1,12 @@
 //! [`Disk`]: Kepler's equation.
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::law::Formulas;
 use super::planar;
 use super::tails::Tails;
 use crate::{CosSin, Disk};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// 1/π and 2/π in Q32.
 const RECIP_PI: u32 = 1367130551;
@@ -79,9 +80,12 @@ impl<F: Format> Formulas<F> for Disk {
 
     /// ∛(2p) is the largest of three words, so that no root is taken.
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 2] {
-        let (largest, sign) = F::largest_of_three(rng);
+    fn try_draw<R: TryRng + ?Sized>(
+        self,
+        rng: &mut R,
+    ) -> Result<Drawn<[F::Component; 2]>, R::Error> {
+        let (largest, sign) = F::largest_of_three(rng)?;
         let (sin, cos) = F::quarter(F::from_end(F::times(largest, THIRD)));
-        planar::direction::<F>(cos, sin, sign)
+        Ok(planar::direction::<F>(cos, sin, sign))
     }
 }

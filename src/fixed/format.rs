@@ -1,7 +1,8 @@
 //! What a word format gives the laws, so that each law is written once.
 
+use super::drawn::Drawn;
 use ::fixed::traits::{FixedSigned, FixedUnsigned};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// A format of the results and the kernels that are accurate to it. Sealed.
 ///
@@ -12,7 +13,7 @@ pub trait Format: Copy {
     const NAME: &str;
 
     /// A cosine, a sine, a component of a direction.
-    type Component: FixedSigned;
+    type Component: Component<Format = Self>;
     /// A probability; the density of a law without an exponent.
     type Probability: FixedUnsigned;
     /// An angle in turns.
@@ -26,6 +27,8 @@ pub trait Format: Copy {
     fn probability(q32: u32) -> Self::Probability;
     fn of_probability(probability: Self::Probability) -> u32;
     fn turn(q32: i32) -> Self::Turn;
+    /// An azimuth in turns, which wraps where [`probability`](Format::probability) saturates.
+    fn phase(q32: u32) -> Self::Probability;
     fn of_turn(turn: Self::Turn) -> i32;
 
     /// A magnitude whose component is at most 1 less one unit.
@@ -63,16 +66,40 @@ pub trait Format: Copy {
     /// The angle in turns of two magnitudes.
     fn first_quadrant(cos: u32, sin: u32) -> u32;
 
+    /// How far length² may be from 1 in Q62, for a sample.
+    const LENGTH_SLACK: u64;
+    /// How far length² may be from 1 in Q30, for a normal.
+    const SLACK: u32;
+    /// A component in the units of its own format, −1 as one unit more.
+    fn units(component: Self::Component) -> i32;
+    fn of_units(units: i32) -> Self::Component;
+    /// |length² − 1| in Q30, of components in units.
+    fn square_off(normal: [i32; 3]) -> u32;
+    /// 1/(1 + |z|), for the two that follow.
+    fn frame_recip(z: i32) -> i32;
+    fn to_world(normal: [i32; 3], recip: i32, local: [i32; 3]) -> [i32; 3];
+    fn to_local(normal: [i32; 3], recip: i32, world: [i32; 3]) -> [i32; 3];
+    /// The product of a component's word and a part of it.
+    fn part(sin: i32, part: i32) -> Self::Component;
+
     /// A direction in space with cos θ the largest of N uniform numbers.
-    fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [Self::Component; 3];
+    fn lobe<const N: usize, R: TryRng + ?Sized>(
+        rng: &mut R,
+    ) -> Result<Drawn<[Self::Component; 3]>, R::Error>;
     /// The largest of three uniform numbers, and a word whose top bit is a sign.
-    fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32);
+    fn largest_of_three<R: TryRng + ?Sized>(rng: &mut R) -> Result<(u32, u32), R::Error>;
     /// A direction in the plane with |sin θ| uniform.
-    fn chord<R: Rng + ?Sized>(rng: &mut R) -> [Self::Component; 2];
+    fn chord<R: TryRng + ?Sized>(rng: &mut R) -> Result<Drawn<[Self::Component; 2]>, R::Error>;
 }
 
 /// An angle in turns, which names its format. Sealed.
 pub trait Turn: Copy {
     /// The format whose angles these are.
     type Format: Format<Turn = Self>;
+}
+
+/// A component of a direction, which names its format. Sealed.
+pub trait Component: FixedSigned {
+    /// The format whose components these are.
+    type Format: Format<Component = Self>;
 }

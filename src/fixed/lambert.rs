@@ -1,11 +1,12 @@
 //! [`Lambert`]: cos θ = max(u₁, u₂).
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::law::Formulas;
 use super::spatial;
 use super::tails::Tails;
 use crate::{CosSin, Lambert};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// 1/π in Q32.
 const RECIP_PI: u32 = 1367130551;
@@ -43,7 +44,10 @@ impl<F: Format> Formulas<F> for Lambert {
     }
 
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
+    fn try_draw<R: TryRng + ?Sized>(
+        self,
+        rng: &mut R,
+    ) -> Result<Drawn<[F::Component; 3]>, R::Error> {
         F::lobe::<2, R>(rng)
     }
 }

@@ -80,45 +80,45 @@
 //!
 //! [`sample`](Integers::sample) takes words by `next_u32`, always as many, and no rejection:
 //!
-//! | law, in `Fixed` | words | cos θ |
-//! |---|---|---|
-//! | `Lambert`, `SphereShell`, `Ball` | 2, 3, 4 for θ, then 1 for the azimuth | their maximum |
-//! | `CosPower` | 2, then 1 | u^(1/(k+1)), u of 64 bits |
-//! | `Disk` | 3 | ∛(2p) is their maximum, p the nearer tail |
-//! | `CircleShell` | 2 | √(v (2 − v)), v of 64 bits |
-//! | `CircleArc` | 1 | of ± that many quarter turns |
-//!
-//! U^(1/n) is the largest of n uniform numbers: so no root is taken of a word, and cos θ is as
-//! fine as its format, down to 2⁻³¹ (for `Ball` that has probability 2⁻¹²⁴). Beside the axis 1 −
-//! cos θ continues with the bits of the words that lost, to 2⁻⁶⁴. Whatever the generator gives,
-//! cos θ > 0 and the direction has unit length to 4 units.
+//! | law, in `Fixed` | words | cos θ | azimuth or sign |
+//! |---|---|---|---|
+//! | `Lambert`, `SphereShell`, `Ball` | 3, 4, 5 | the largest of all but the last | the last |
+//! | `CosPower` | 3 | u^(1/(k+1)), u of the first two, 64 bits | the third |
+//! | `Disk` | 3 | ∛(2p) is the largest, p the nearer tail | the first one's top bit |
+//! | `CircleShell` | 2 | √(v (2 − v)), v of 63 bits | the top bit |
+//! | `CircleArc` | 1 | of ± that many quarter turns, 31 bits | the top bit |
 //!
 //! | law, in `Fixed16` | words | cos θ | azimuth or sign |
 //! |---|---|---|---|
 //! | `Lambert` | 2 | the larger half of the first | the second |
-//! | `SphereShell` | 2 | the largest of three halves | the last half |
+//! | `SphereShell` | 2 | the largest of three halves | the second one's upper half |
 //! | `Ball` | 3 | the largest of four halves | the third |
-//! | `Disk` | 2 | ∛(2p) is the largest of three halves, p the nearer tail | the top bit of the last half |
-//! | `CircleShell` | 1 | √(v (2 − v)), v of 32 bits | its lowest bit |
-//! | `CircleArc` | 1 | of ± that many quarter turns | its lowest bit |
+//! | `Disk` | 2 | ∛(2p) is the largest of three halves | the second one's top bit |
+//! | `CircleShell` | 1 | √(v (2 − v)), v of 31 bits | the top bit |
+//! | `CircleArc` | 1 | of ± that many quarter turns, 31 bits | the top bit |
 //!
-//! U^(1/n) is the largest of n uniform numbers, so that no root is taken for cos θ. Beside the
-//! axis it continues with the bits of the halves that lost, to 2⁻³²: sin θ = √(1 − cos²θ) has no
-//! grid there but that of its own format. `SphereShell` has 2¹⁶ azimuths, the others in space 2¹⁹.
-//! Whatever the generator gives, cos θ > 0 and the direction has unit length to 2 units.
+//! U^(1/n) is the largest of n uniform numbers: so no root is taken of a word, and cos θ is as
+//! fine as its format, down to 2⁻³¹ (for `Ball` that has probability 2⁻¹²⁴). Beside the axis it
+//! continues with the bits of the words that lost, to 2⁻⁶⁴ (`Fixed16`: of the halves, to 2⁻³²):
+//! sin θ has no grid there but that of its own format. `SphereShell` has 2¹⁶ azimuths in
+//! `Fixed16`, the others in space 2¹⁹. Signs and azimuths come from a word's high bits, since the
+//! low ones of common generators are poor. Whatever the generator gives, cos θ > 0 and the
+//! direction has unit length to 4 units (`Fixed16`: 2).
 //!
 //! # Cost
 //!
 //! Instructions, flash, stack and words of every operation on Cortex-M0, M3, M4F and RV32IMC stand
-//! in `docs/measured/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole sample
-//! with its azimuth costs what `warp` takes for θ alone. The 64-bit product, one instruction on
-//! the larger cores, is four products on Cortex-M0, with the same bits; `Fixed16` has none.
+//! in `docs/measured/firmware_cost.md` of the repository. Maxima are cheaper than roots: a whole
+//! sample with its azimuth costs what `warp` takes for θ alone. The 64-bit product, one
+//! instruction on the larger cores, is four products on Cortex-M0, with the same bits; `Fixed16`
+//! has none.
 //!
 //! ```
 //! use coslobe::{Fixed, Fixed16, Lambert};
 //! use fixed::types::{I1F15, I1F31, U0F16, U0F32};
 //! let mut rng = rand_pcg::Pcg32::new(1, 1);
-//! let [x, y, z]: [I1F31; 3] = Fixed(Lambert).sample(&mut rng); // [sin θ cos φ, cos θ, sin θ sin φ]
+//! // [sin θ cos φ, cos θ, sin θ sin φ]
+//! let [x, y, z]: [I1F31; 3] = Fixed(Lambert).sample(&mut rng);
 //! let short: [I1F15; 3] = Fixed16(Lambert).sample(&mut rng);
 //! assert!(y > 0 && short[1] > 0);
 //! let at = Fixed(Lambert).warp(U0F32::from_num(0.25));
@@ -132,12 +132,16 @@ mod circle_arc;
 mod circle_shell;
 mod cos_power;
 mod disk;
+mod drawn;
 mod format;
+mod frame;
 mod integers;
 mod kernel;
 mod lambert;
 mod law;
+mod place;
 mod planar;
+mod planes;
 mod q15;
 mod q31;
 mod spatial;
@@ -145,4 +149,8 @@ mod sphere_shell;
 mod tails;
 
 pub use cos_power::CosPower;
-pub use integers::{Fixed, Fixed16, Fixed16Law, FixedLaw, Integers, cos_sin};
+pub(crate) use format::{Component, Format};
+pub use frame::FixedFrame;
+pub use integers::{Fixed, Fixed16, Integers, cos_sin};
+pub(crate) use law::Formulas;
+pub use planes::{Fixed16Law, Fixed16Planar, Fixed16Spatial, FixedLaw, FixedPlanar, FixedSpatial};

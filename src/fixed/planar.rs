@@ -1,5 +1,6 @@
 //! What the laws in the plane share: θ from −¼ to ¼ turn, symmetric about 0.
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::spatial::QUARTER;
 use super::tails::Tails;
@@ -81,9 +82,13 @@ pub(crate) fn pdf<F: Format>(turn: i32, of: impl FnOnce(u32) -> u32) -> F::Proba
 
 /// \[sin θ, cos θ\] inside the open support, sin θ with the sign of `sign`'s top bit.
 #[inline(always)]
-pub(crate) fn direction<F: Format>(cos: u32, sin: u32, sign: u32) -> [F::Component; 2] {
-    [
-        F::component(F::signed(sin, sign)),
-        F::component(F::inside(cos) as i32),
-    ]
+pub(crate) fn direction<F: Format>(cos: u32, sin: u32, sign: u32) -> Drawn<[F::Component; 2]> {
+    let at = CosSin {
+        cos: F::inside(cos) as i32,
+        sin: F::signed(sin, sign),
+    };
+    Drawn {
+        direction: [F::component(at.sin), F::component(at.cos)],
+        at,
+    }
 }

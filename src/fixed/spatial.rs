@@ -1,6 +1,7 @@
 //! What the laws in space share: θ from 0 to a quarter turn.
 
 use super::format::Format;
+use super::kernel::normal::normal;
 use super::tails::Tails;
 use crate::CosSin;
 
@@ -71,4 +72,36 @@ pub(crate) fn pdf<F: Format>(turn: i32, of: impl FnOnce(u32) -> u32) -> F::Proba
         Ok(at) => F::mul(of((at.cos as u32) << 1), (at.sin as u32) << 1),
         Err(_) => 0,
     })
+}
+
+/// √½ in Q32.
+const HALF_ROOT: u32 = 3037000500;
+
+/// (√(x² + z²), the angle of (x, z) in turns, which wraps) of components in Q31; (0, 0) at 0.
+#[inline(always)]
+pub(crate) fn polar<F: Format>(x: i32, z: i32) -> (i32, u32) {
+    let [a, b] = [x, z].map(|c| c.unsigned_abs().min(i32::MAX as u32));
+    if a | b == 0 {
+        return (0, 0);
+    }
+    // Both up by as much as the larger one allows, in Q32; then the root of half their squares'
+    // sum.
+    let (_, shift) = normal(a | b);
+    let [a, b] = [a, b].map(|c| c << shift);
+    let root = F::scaled((F::mul(a, a) >> 1).wrapping_add(F::mul(b, b) >> 1), 0);
+    let sin = F::mul(root, HALF_ROOT) >> shift.wrapping_sub(1);
+    let (d, up) = normal(root);
+    let recip = F::half_recip(d);
+    let unit = |c: u32| {
+        let part = F::mul(F::mul(c, recip), HALF_ROOT);
+        part.min(u32::MAX >> up.wrapping_add(1)) << up
+    };
+    let turn = F::first_quadrant(unit(a), unit(b));
+    let turn = if x < 0 {
+        (1u32 << 31).wrapping_sub(turn)
+    } else {
+        turn
+    };
+    let turn = if z < 0 { turn.wrapping_neg() } else { turn };
+    (sin.min(i32::MAX as u32) as i32, turn)
 }

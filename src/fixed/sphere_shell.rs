@@ -1,5 +1,6 @@
 //! [`SphereShell`]: cos θ = max(u₁, u₂, u₃).
 
+use super::drawn::Drawn;
 use super::format::Format;
 use super::kernel::halve;
 use super::kernel::normal::normal;
@@ -7,7 +8,7 @@ use super::law::Formulas;
 use super::spatial;
 use super::tails::Tails;
 use crate::{CosSin, SphereShell};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// 3/(2π) in Q32.
 const THREE_OVER_TWO_PI: u32 = 2050695827;
@@ -56,7 +57,10 @@ impl<F: Format> Formulas<F> for SphereShell {
     }
 
     #[inline]
-    fn sample<R: Rng + ?Sized>(self, rng: &mut R) -> [F::Component; 3] {
+    fn try_draw<R: TryRng + ?Sized>(
+        self,
+        rng: &mut R,
+    ) -> Result<Drawn<[F::Component; 3]>, R::Error> {
         F::lobe::<3, R>(rng)
     }
 }

@@ -1,4 +1,4 @@
-//! `mint`: pairs and frames as the vectors and matrices that maths libraries exchange.
+//! `mint`: directions and frames as the vectors and matrices that maths libraries exchange.
 
 use crate::{CosSin, Frame, Real};
 use mint::{ColumnMatrix3, Vector2};

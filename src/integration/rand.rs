@@ -3,6 +3,8 @@
 //! Each law has an inherent `sample` too, so that a caller with both traits in scope meets no
 //! ambiguity. Randomness as [`Planar::sample`] and [`Spatial::sample`].
 
+#[cfg(feature = "fixed")]
+use crate::fixed::{Format, Formulas, Integers};
 use crate::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Planar, Real, Spatial, SphereShell,
 };
@@ -78,5 +80,23 @@ impl<T: Real> Distribution<[T; 3]> for CosPower<T> {
     #[inline]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         Spatial::sample(self, rng)
+    }
+}
+
+/// Draws what the law's own `sample` draws.
+///
+/// ```
+/// use coslobe::{Fixed, Lambert};
+/// use fixed::types::I1F31;
+/// use rand::RngExt;
+/// let mut rng = rand_pcg::Pcg32::new(1, 1);
+/// let ray: [I1F31; 3] = rng.sample(Fixed(Lambert));
+/// assert!(ray[1] > 0);
+/// ```
+#[cfg(feature = "fixed")]
+impl<F: Format, L: Formulas<F>> Distribution<L::Direction> for Integers<F, L> {
+    #[inline]
+    fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> L::Direction {
+        Integers::sample(self, rng)
     }
 }

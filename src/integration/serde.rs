@@ -1,12 +1,14 @@
 //! `serde`: the types whose values are checked or rebuilt when read; the plain ones derive.
 
+#[cfg(feature = "fixed")]
+use crate::fixed::{Component, FixedFrame};
 use crate::{CosPower, Frame, NormalError, Radius, Real};
 use core::fmt;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
 
 /// The fields as the derived `Serialize` of [`CosPower`] writes them.
-#[derive(serde::Deserialize)]
+#[derive(serde::Serialize, serde::Deserialize)]
 #[serde(rename = "CosPower", deny_unknown_fields)]
 struct Lobe<T> {
     exponent: T,
@@ -25,6 +27,39 @@ impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for CosPower<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let lobe = Lobe::deserialize(deserializer)?;
         CosPower::new(lobe.exponent).map_err(Error::custom)
+    }
+}
+
+/// As the float law: `{ "exponent": k }`, k as the `fixed` crate writes it.
+#[cfg(feature = "fixed")]
+impl Serialize for crate::fixed::CosPower {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let exponent = self.exponent();
+        Lobe { exponent }.serialize(serializer)
+    }
+}
+
+/// From `{ "exponent": k }`: every `k` is one.
+#[cfg(feature = "fixed")]
+impl<'de> Deserialize<'de> for crate::fixed::CosPower {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(Self::new(Lobe::deserialize(deserializer)?.exponent))
+    }
+}
+
+/// As its normal alone.
+#[cfg(feature = "fixed")]
+impl<C: Component> Serialize for FixedFrame<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.normal().serialize(serializer)
+    }
+}
+
+/// From a normal; one that [`FixedFrame::new`] refuses is an error.
+#[cfg(feature = "fixed")]
+impl<'de, C: Component> Deserialize<'de> for FixedFrame<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        FixedFrame::new(<[C; 3]>::deserialize(deserializer)?).map_err(Error::custom)
     }
 }
 

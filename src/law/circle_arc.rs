@@ -1,17 +1,25 @@
 //! Uniform by arc length on a circle.
 
 use super::Planar;
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by arc length** on a circle tangent to the origin.
 ///
-/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal angles:
+#[doc = include_str!("../../docs/measured/lobes/circle-arc.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
+///
+/// By the inscribed-angle theorem equal arcs are seen from a point of the circle under equal
+/// angles:
 ///
 /// > p(θ) = 1/π per radian, θ ∈ \[−π/2, π/2\]
 ///
@@ -45,12 +53,12 @@ impl CircleArc {
 }
 
 impl<W: Kernel> Formulas<W> for CircleArc {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         within(theta, planar(theta), W::CONSTANTS.recip_pi.value(), W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         within(
             theta,
@@ -60,7 +68,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         )
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let p = W::from_end(theta.abs())
             .times(W::CONSTANTS.recip_pi)
@@ -69,12 +77,12 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         Tails::from_nearer(p, theta > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::CONSTANTS.recip_pi.value())
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_lower) = p.nearer();
         let CosSin { cos, sin } = W::half_turn(p);
@@ -84,7 +92,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let (sin, recip_pi) = (at.sin.abs(), W::CONSTANTS.recip_pi.value());
         let p = if at.cos <= sin {
@@ -95,7 +103,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let (p, is_lower) = p.nearer();
         let d = W::HALF - p;
@@ -103,7 +111,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
         theta.negate_if_odd(is_lower)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::CONSTANTS.half_pi.value() * at.cos)
     }
@@ -112,14 +120,34 @@ impl<W: Kernel> Formulas<W> for CircleArc {
 impl Own for CircleArc {}
 
 impl Parameterless for CircleArc {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.circle_arc_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.two_over_pi;
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(1, 2), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c.pi.mul(c.pi).mul(Pair::ratio(1, 12)),
+            entropy: c.ln_pi,
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for CircleArc {
+impl Point for CircleArc {
     const MEASURE: Measure = Measure::ArcLength;
+    const IS_PLANAR: bool = true;
+
+    /// 1/(2πρ).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi * W::HALF / rho
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_two_pi.value() + rho.ln())
+    }
 }
 
 impl<T: Real> Planar<T> for CircleArc {}

@@ -1,15 +1,23 @@
 //! Uniform by radial thickness on a circle: the paper's circle, and the flat world's Lambert law.
 
 use super::Planar;
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
-/// Direction of a point of a **radial shell** on a circle tangent to the origin (paper 3.2, "circle").
+/// Direction of a point of a **radial shell** on a circle tangent to the origin (paper 3.2,
+/// "circle").
+///
+#[doc = include_str!("../../docs/measured/lobes/circle-shell.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
 ///
 /// The shell has constant thickness along the ray, not across the curve: the paper's measure is
 /// δ(r − 2ρ cos θ) r dr dθ, whose mass 4ρ gives the density
@@ -51,19 +59,19 @@ impl CircleShell {
 }
 
 impl<W: Kernel> Formulas<W> for CircleShell {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let p = W::at_angle(theta).cos.value() * W::HALF;
         within(theta, planar(theta), p, W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let p = W::ln_cos(W::at_angle(theta)) - W::CONSTANTS.ln_2.value();
         within(theta, planar(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let at = W::at_angle(theta);
         let p = nearer_tail(at.cos.times(at.cos).value(), at.sin.value());
@@ -71,12 +79,12 @@ impl<W: Kernel> Formulas<W> for CircleShell {
         Tails::from_nearer(p, theta > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         planar_direction(at, at.cos * W::HALF)
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_lower) = p.nearer();
         let sin = W::ONE - (p + p);
@@ -89,7 +97,7 @@ impl<W: Kernel> Formulas<W> for CircleShell {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let sin = at.sin.abs();
         let p = if at.cos <= sin {
@@ -100,7 +108,7 @@ impl<W: Kernel> Formulas<W> for CircleShell {
         Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::ONE)
     }
@@ -109,14 +117,33 @@ impl<W: Kernel> Formulas<W> for CircleShell {
 impl Own for CircleShell {}
 
 impl Parameterless for CircleShell {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.circle_shell_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.half_pi.half();
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(2, 3), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c.half_pi.mul(c.half_pi).add(Pair::ratio(-2, 1)),
+            entropy: Pair::exact(B::ONE),
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for CircleShell {
+impl Point for CircleShell {
     const MEASURE: Measure = Measure::CircleShell;
+    const IS_PLANAR: bool = true;
+
+    /// cos θ / 2.
+    #[inline]
+    fn point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos * W::HALF
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos.ln() - W::CONSTANTS.ln_2.value()
+    }
 }
 
 impl<T: Real> Planar<T> for CircleShell {}

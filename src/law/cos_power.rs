@@ -18,12 +18,17 @@ use rand_core::Rng;
 
 /// The spatial law of any real exponent k ≥ 0: the Phong lobe.
 ///
+#[doc = include_str!("../../docs/measured/lobes/cos-power.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial).
+///
 /// > (k+1) cosᵏθ / (2π) per steradian; q = that times sin θ per dθ dφ, θ ∈ \[0, π/2\]
 ///
 /// with cdf 1 − cosᵏ⁺¹θ. k = 0 is the uniform hemisphere, k = 1, 2, 3 are
-/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball), whose
-/// own types need no logarithm. Every finite k is accepted: cosᵏθ is formed from ln cos θ with extra
-/// digits, so that a large k does not magnify the error.
+/// [`Lambert`](crate::Lambert), [`SphereShell`](crate::SphereShell) and [`Ball`](crate::Ball),
+/// whose own types need no logarithm. Every finite k is accepted: cosᵏθ is formed from log₂ cos θ
+/// with extra digits, so that a large k does not magnify the error. What depends on k alone is
+/// worked out once, by [`new`](CosPower::new).
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -41,11 +46,33 @@ use rand_core::Rng;
 /// Source: B. T. Phong, 1975, DOI 10.1145/360825.360839.
 #[doc(alias = "Phong")]
 #[doc(alias = "cosine lobe")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CosPower<T> {
+pub struct CosPower<T: Real> {
     exponent: T,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    lobe: Lobe<T::Quick>,
+}
+
+impl<T: Real> PartialEq for CosPower<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.exponent == other.exponent
+    }
+}
+
+impl<T: Real> fmt::Debug for CosPower<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("CosPower")
+            .field("exponent", &self.exponent)
+            .finish()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<T: Real + defmt::Format> defmt::Format for CosPower<T> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "CosPower {{ exponent: {} }}", self.exponent);
+    }
 }
 
 /// Why an exponent was refused.
@@ -86,7 +113,9 @@ impl<T: Real> CosPower<T> {
         } else if !k.is_finite() {
             Err(ExponentError::Infinite)
         } else {
-            Ok(CosPower { exponent: k.abs() })
+            let exponent = k.abs();
+            let lobe = Lobe::new(Holds::from_number(exponent));
+            Ok(CosPower { exponent, lobe })
         }
     }
 
@@ -103,135 +132,115 @@ impl<T: Real> CosPower<T> {
     }
 }
 
-impl<W: Kernel> CosPower<W> {
+/// The law in a working arithmetic, with the constants of its exponent.
+#[derive(Clone, Copy)]
+pub struct Lobe<W: Kernel> {
+    k: W::Wide,
     /// k + 1, exactly.
+    next: W::Wide,
+    /// (k+1)/2π.
+    scale: W::Scale,
+    ln_scale: W::Wide,
+    /// 1 − k, exactly, and 2/(k+1).
+    weight_power: W::Wide,
+    weight_scale: W::Scale,
+    root: W::TailRoot,
+}
+
+impl<W: Kernel> Lobe<W> {
+    #[inline]
+    fn new(k: W) -> Self {
+        let next = W::Wide::two_sum(k, W::ONE);
+        Lobe {
+            k: W::Wide::exact(k),
+            next,
+            scale: W::scale(next.mul(W::CONSTANTS.recip_two_pi)),
+            ln_scale: W::ln_wide(next).add(W::CONSTANTS.ln_two_pi.neg()),
+            weight_power: W::Wide::two_sum(W::ONE, -k),
+            weight_scale: W::two_over(next),
+            root: W::tail_root(next),
+        }
+    }
+
+    /// (k+1) cosᵏθ/(2π).
     #[inline(always)]
-    fn successor(&self) -> W::Wide {
-        W::Wide::two_sum(self.exponent, W::ONE)
+    fn per_steradian(&self, at: W::Cosine) -> W {
+        W::power_times(self.k, at, self.scale, W::ONE)
     }
 
-    /// (k+1) cosᵏθ/(2π) times `factor`.
-    #[inline]
-    fn lobe(&self, at: CosSin<W::Wide>, factor: W::Wide) -> W {
-        let scale = self
-            .successor()
-            .times(W::CONSTANTS.recip_two_pi)
-            .times(factor);
-        if at.cos.leading() > W::ZERO {
-            W::exp_times(W::ln_cos_power(W::Wide::exact(self.exponent), at), scale)
-        } else if self.exponent == W::ZERO {
-            scale.value()
-        } else {
-            W::ZERO
-        }
-    }
-
-    #[inline]
-    fn tails_at(&self, at: CosSin<W::Wide>) -> Tails<W> {
-        if at.cos.leading() > W::ZERO {
-            let (lower, upper) = W::power_tails(self.successor(), at);
-            Tails::from_both(lower, upper)
-        } else {
-            Tails::from_nearer(W::ZERO, true)
-        }
+    #[inline(always)]
+    fn tails_at(&self, at: W::Cosine) -> Tails<W> {
+        let (lower, upper) = W::power_tails(self.next, at);
+        Tails::from_both(lower, upper)
     }
 }
 
-#[inline(always)]
-fn exact<W: Kernel>(at: CosSin<W>) -> CosSin<W::Wide> {
-    CosSin {
-        cos: W::Wide::exact(at.cos),
-        sin: W::Wide::exact(at.sin),
-    }
-}
-
-impl<W: Kernel> Formulas<W> for CosPower<W> {
+impl<W: Kernel> Formulas<W> for Lobe<W> {
     #[inline]
     fn pdf(&self, theta: W) -> W {
-        let at = W::at_angle_fine(theta);
-        within(theta, spatial(theta), self.lobe(at, at.sin), W::ZERO)
+        let (at, sin) = W::cosine_at_angle(theta);
+        let p = W::power_times(self.k, at, self.scale, sin);
+        within(theta, spatial(theta), p, W::ZERO)
     }
 
-    /// Summed in pairs, since its terms cancel where the density passes 1 (large k only); between −1
-    /// and 1 the error is bounded in ulps of 1, not of the result.
+    /// Between −1 and 1 the error is bounded in ulps of 1, not of the result: its terms cancel
+    /// where the density passes 1.
     #[inline]
     fn ln_pdf(&self, theta: W) -> W {
-        let at = W::at_angle_fine(theta);
-        let power = W::ln_cos_power(W::Wide::exact(self.exponent), at);
-        let p = if at.sin.leading() > W::ZERO && power.leading().is_finite() {
-            W::ln_wide(self.successor())
-                .add(W::CONSTANTS.ln_two_pi.neg())
-                .add(power)
-                .add(W::ln_wide(at.sin))
-                .value()
-        } else {
-            -W::INFINITY
-        };
+        let (at, _) = W::cosine_at_angle(theta);
+        let p = W::ln_power_times_sine(self.k, at, self.ln_scale);
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
     #[inline]
     fn tails(&self, theta: W) -> Tails<W> {
-        spatial_tails(theta, self.tails_at(W::at_angle_fine(theta)))
+        let (at, _) = W::cosine_at_angle(theta);
+        spatial_tails(theta, self.tails_at(at))
     }
 
     #[inline]
     fn density(&self, at: CosSin<W>) -> W {
-        spatial_direction(at, self.lobe(exact(at), W::Wide::exact(W::ONE)))
+        spatial_direction(at, self.per_steradian(W::cosine(at)))
     }
 
     /// cos θ = (1 − u)^(1/(k+1)).
     #[inline]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        W::power_warp(p, self.successor())
+        W::power_warp(p, self.root)
     }
 
     #[inline]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
-        spatial_direction_tails(at, self.tails_at(exact(at)))
+        spatial_direction_tails(at, self.tails_at(W::cosine(at)))
     }
 
     #[inline]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
-        let k = W::Wide::two_sum(self.exponent, -W::ONE);
-        let scale = W::Wide::exact(W::int(2)).div(self.successor());
-        let weight = if at.cos > W::ZERO {
-            W::exp_times(W::ln_cos_power(k.neg(), exact(at)), scale)
-        } else if self.exponent == W::ONE {
-            W::ONE
-        } else if self.exponent > W::ONE {
-            W::INFINITY
-        } else {
-            W::ZERO
-        };
+        let weight = W::power_times(self.weight_power, W::cosine(at), self.weight_scale, W::ONE);
         spatial_direction(at, weight)
     }
 
     #[inline]
     fn density_at(&self, theta: W) -> W {
-        let p = self.lobe(W::at_angle_fine(theta), W::Wide::exact(W::ONE));
-        within(theta, spatial(theta), p, W::ZERO)
+        let (at, _) = W::cosine_at_angle(theta);
+        within(theta, spatial(theta), self.per_steradian(at), W::ZERO)
     }
 }
 
-impl<T> Own for CosPower<T> {}
+impl<T: Real> Own for CosPower<T> {}
 
 impl<T: Real> Phases<T> for CosPower<T> {
-    type Quick = CosPower<T::Quick>;
-    type Accurate = CosPower<T::Accurate>;
+    type Quick = Lobe<T::Quick>;
+    type Accurate = Lobe<T::Accurate>;
 
     #[inline(always)]
-    fn quick(&self) -> CosPower<T::Quick> {
-        CosPower {
-            exponent: T::Quick::from_number(self.exponent),
-        }
+    fn quick(&self) -> Lobe<T::Quick> {
+        self.lobe
     }
 
     #[inline(always)]
-    fn accurate(&self) -> CosPower<T::Accurate> {
-        CosPower {
-            exponent: T::Accurate::from_number(self.exponent),
-        }
+    fn accurate(&self) -> Lobe<T::Accurate> {
+        Lobe::new(Holds::from_number(self.exponent))
     }
 
     fn moments(&self) -> Moments<T> {

@@ -1,15 +1,22 @@
 //! Uniform by area in a disk.
 
 use super::Planar;
-use super::formulas::{Formulas, Own, Parameterless};
+use super::formulas::{Formulas, Own, Parameterless, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
 /// Direction of a point uniform **by area** in a disk tangent to the origin (paper 3.1).
+///
+#[doc = include_str!("../../docs/measured/lobes/disk.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Planar`](crate::Planar); the point itself:
+/// [`PlanarPoint`](crate::PlanarPoint).
 ///
 /// The point is uniform in the disk of radius ρ about (0, ρ). A ray at θ from +y leaves the disk
 /// at r = 2ρ cos θ, so ∫₀^{2ρ cos θ} r dr / (πρ²) gives the density
@@ -49,34 +56,34 @@ impl Disk {
 }
 
 impl<W: Kernel> Formulas<W> for Disk {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let c = W::at_angle(theta).cos;
         let p = c.times(c).times(W::CONSTANTS.two_over_pi).value();
         within(theta, planar(theta), p, W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let p = W::CONSTANTS.ln_two_over_pi.value() + W::ln_cos(W::at_angle(theta)) * W::int(2);
         within(theta, planar(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let inside = planar(theta);
         let p = within(theta, inside, W::disk_tail_at_angle(theta.abs()), W::ZERO);
         Tails::from_nearer(p, theta > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         let c2 = at.cos * at.cos;
         let p = c2 * W::CONSTANTS.two_over_pi.value();
         planar_direction(at, p)
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let (p, is_lower) = p.nearer();
         let CosSin { cos, sin } = W::disk_direction_at_tail(p);
@@ -86,19 +93,19 @@ impl<W: Kernel> Formulas<W> for Disk {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let p = W::disk_tail_at_direction(at.cos, at.sin.abs());
         Tails::from_nearer(planar_direction(at, p), at.sin > W::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let (p, is_lower) = p.nearer();
         W::disk_angle_at_tail(p).negate_if_odd(is_lower)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         planar_direction(at, W::CONSTANTS.pi.value() * W::QUARTER / at.cos.abs())
     }
@@ -107,14 +114,44 @@ impl<W: Kernel> Formulas<W> for Disk {
 impl Own for Disk {}
 
 impl Parameterless for Disk {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.disk_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = c.recip_pi.mul(Pair::ratio(8, 3));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(3, 4), mean_cos),
+            mean_theta: Pair::exact(B::ZERO),
+            var_theta: c
+                .pi
+                .mul(c.pi)
+                .mul(Pair::ratio(1, 12))
+                .add(Pair::ratio(-1, 2)),
+            entropy: c.ln_two_pi.add(Pair::ratio(-1, 1)),
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for Disk {
+impl Point for Disk {
     const MEASURE: Measure = Measure::Area;
+    const IS_PLANAR: bool = true;
+    const IS_SOLID: bool = true;
+
+    #[inline]
+    fn share<W: Kernel>(v: W) -> W {
+        v.sqrt()
+    }
+
+    /// 1/(πρ²).
+    #[inline]
+    fn point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        let recip_pi = W::CONSTANTS.recip_pi.value();
+        recip_pi / rho * (W::ONE / rho)
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(rho: W, _: CosSin<W>) -> W {
+        -(W::CONSTANTS.ln_pi.value() + rho.ln() * W::int(2))
+    }
 }
 
 impl<T: Real> Planar<T> for Disk {}

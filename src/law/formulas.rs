@@ -7,6 +7,7 @@ use super::Law;
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::into_support;
 use crate::number::Real;
 use crate::number::tier::Margin;
@@ -23,12 +24,12 @@ pub trait Formulas<W: Kernel> {
     fn lambert_weight(&self, at: CosSin<W>) -> W;
 
     /// As [`density`](Formulas::density), at θ: in the plane that is the pdf.
-    #[inline]
+    #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         self.pdf(theta)
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         W::angle(self.warp_tails(p))
     }
@@ -40,32 +41,26 @@ pub trait Formulas<W: Kernel> {
 /// `impl<T: Real> Law<T> for Mine`, the compiler must see that the blanket implementation does not
 /// cover `Mine`. With `Phases<T>` alone it cannot, and refuses: a third crate might implement
 /// `Phases` of a number type of its own for `Mine` (E0119).
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law",
-    label = "not a law of directions",
-    note = "the laws are Disk, CircleShell, CircleArc, Ball, SphereShell, Lambert and CosPower; \
-            one of your own implements `coslobe::Law`"
-)]
 pub trait Own {}
 
 /// A law without a parameter, which is the same in every arithmetic.
 pub trait Parameterless: Own + Copy {
-    /// Exact moments.
-    fn moments<B: Native>() -> Moments<B>;
+    /// Exact moments, with digits to spare for one rounding.
+    fn moments<B: Native>() -> Moments<Pair<B>>;
 }
 
 /// A law in the two phases of a number type.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law in the number type `{T}`",
-    label = "no law in `{T}`",
-    note = "a law with a parameter, such as CosPower, works in the number type of its parameter"
-)]
 pub trait Phases<T: Real> {
     type Quick: Formulas<T::Quick>;
     type Accurate: Formulas<T::Accurate>;
     fn quick(&self) -> Self::Quick;
     fn accurate(&self) -> Self::Accurate;
     fn moments(&self) -> Moments<T>;
+}
+
+/// The variance of what has this mean and this mean square.
+pub(crate) fn variance<B: Native>(mean_square: Pair<B>, mean: Pair<B>) -> Pair<B> {
+    mean_square.add(mean.mul(mean).neg())
 }
 
 impl<T: Real, L> Phases<T> for L
@@ -87,60 +82,65 @@ where
 
     #[inline]
     fn moments(&self) -> Moments<T> {
-        L::moments::<T::Base>().map(T::from_base)
+        L::moments::<T::Base>().map(|x| T::from_base(x.value()))
     }
 }
 
 impl<T: Real, L: Own + Phases<T>> Law<T> for L {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,
             || [self.quick().pdf(Holds::from_number(theta))],
+            #[inline(always)]
             || [self.accurate().pdf(Holds::from_number(theta))],
         );
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::OfOne,
             || [self.quick().ln_pdf(Holds::from_number(theta))],
+            #[inline(always)]
             || [self.accurate().ln_pdf(Holds::from_number(theta))],
         );
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: T) -> Tails<T> {
         Tails::from_array(T::rounded(
             Margin::Relative,
             || self.quick().tails(Holds::from_number(theta)).to_array(),
+            #[inline(always)]
             || self.accurate().tails(Holds::from_number(theta)).to_array(),
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<T>) -> T {
         let [p] = T::rounded(
             Margin::Relative,
             || [self.quick().density(Holds::from_components(at))],
+            #[inline(always)]
             || [self.accurate().density(Holds::from_components(at))],
         );
         p
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
         CosSin::from_array(T::rounded(
             Margin::Relative,
             || self.quick().warp_tails(Holds::from_tails(p)).to_array(),
+            #[inline(always)]
             || self.accurate().warp_tails(Holds::from_tails(p)).to_array(),
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
         Tails::from_array(T::rounded(
             Margin::Relative,
@@ -149,6 +149,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
                     .unwarp_tails(Holds::from_direction(at))
                     .to_array()
             },
+            #[inline(always)]
             || {
                 self.accurate()
                     .unwarp_tails(Holds::from_direction(at))
@@ -157,21 +158,23 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
         ))
     }
 
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<T>) -> T {
         let [theta] = T::rounded(
             Margin::Relative,
             || [self.quick().quantile_tails(Holds::from_tails(p))],
+            #[inline(always)]
             || [self.accurate().quantile_tails(Holds::from_tails(p))],
         );
         into_support(theta)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<T>) -> T {
         let [weight] = T::rounded(
             Margin::Relative,
             || [self.quick().lambert_weight(Holds::from_components(at))],
+            #[inline(always)]
             || [self.accurate().lambert_weight(Holds::from_components(at))],
         );
         weight
@@ -184,7 +187,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
 }
 
 /// [`Spatial::pdf_solid_angle`](super::Spatial::pdf_solid_angle) of a law of this crate.
-#[inline]
+#[inline(always)]
 pub(crate) fn pdf_solid_angle<T: Real, L: Own + Phases<T>>(law: &L, theta: T) -> T {
     let [p] = T::rounded(
         Margin::Relative,

@@ -7,6 +7,9 @@ mod cos_power;
 mod disk;
 mod formulas;
 mod lambert;
+mod measure;
+mod planar;
+mod spatial;
 mod sphere_shell;
 mod support;
 
@@ -16,15 +19,20 @@ pub use circle_shell::CircleShell;
 pub use cos_power::{CosPower, ExponentError};
 pub use disk::Disk;
 pub use lambert::{Lambert, Lambert as SphereArea};
+pub use measure::Measure;
+pub(crate) use measure::Point;
+pub use planar::Planar;
+pub use spatial::Spatial;
+pub(crate) use spatial::spherical;
 pub use sphere_shell::SphereShell;
 
 use crate::arithmetic::holds::Holds;
-use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::arithmetic::kernel::Kernel;
+use crate::batch::{self, Batch, LengthError};
 use crate::law::support::into_support;
 use crate::number::Real;
 use crate::number::tier::Margin;
-use crate::{CosSin, Frame, Moments, Sample, Tails, uniform};
-use rand_core::Rng;
+use crate::{CosSin, Moments, Tails};
 
 /// What every law can tell of the angle θ from the axis +y, in radians.
 ///
@@ -32,12 +40,17 @@ use rand_core::Rng;
 /// `f32`'s `FRAC_PI_2` lies beyond it. All functions are total: NaN gives NaN; outside the
 /// support the density is 0, its logarithm −∞ and the cdf 0 or 1; a probability outside
 /// \[0, 1\] gives NaN. No input panics. The accuracy of each is in [`accuracy`](crate::accuracy).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the number type `{T}`",
+    label = "no law of a direction in `{T}`"
+)]
 pub trait Law<T: Real> {
     /// Density of θ: per radian for planar laws; for spatial ones per dθ dφ (the paper's q),
     /// that is [`Spatial::pdf_solid_angle`] times sin θ.
     fn pdf(&self, theta: T) -> T;
 
-    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is 0.
+    /// Natural logarithm of [`pdf`](Law::pdf), finite where `pdf` would underflow; −∞ where it is
+    /// 0.
     fn ln_pdf(&self, theta: T) -> T;
 
     /// (cdf, sf) of θ, azimuth integrated out, each to full relative accuracy.
@@ -129,144 +142,136 @@ pub trait Law<T: Real> {
     fn unwarp_sf(&self, at: CosSin<T>) -> T {
         self.unwarp_tails(at).upper()
     }
-}
 
-/// Laws of a direction in the plane.
-pub trait Planar<T: Real>: Law<T> {
-    /// Draws \[sin θ, cos θ\]: a unit vector with cos θ > 0.
+    /// [`pdf`](Law::pdf) of each θ.
     ///
-    /// Randomness: one `next_u64` for `f32`, two for `f64`; no rejection.
-    #[inline]
-    fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
-        let CosSin { cos, sin } = self.warp_tails(uniform::tails(rng));
-        [sin, cos]
-    }
-
-    /// Draws the direction of [`sample`](Planar::sample) with its cosine, sine and density: the
-    /// same words, the same bits.
-    #[inline]
-    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 2> {
-        let at = self.warp_tails(uniform::tails(rng));
-        Sample {
-            direction: [at.sin, at.cos],
-            at,
-            density: self.density(at),
-        }
-    }
-}
-
-/// Laws of a direction in space, uniform in azimuth.
-pub trait Spatial<T: Real>: Law<T> {
-    /// Density per steradian at polar angle θ.
-    fn pdf_solid_angle(&self, theta: T) -> T;
-
-    /// Draws \[sin θ cos φ, cos θ, sin θ sin φ\]: a unit vector with cos θ > 0.
+    /// This and the other `…_slice` give the bits of as many scalar calls, for every input and at
+    /// every width of vectors: see [`batch`].
     ///
-    /// Randomness: one `next_u64` then one `next_u32` for `f32`, three `next_u64` for `f64`; no
-    /// rejection.
-    #[inline]
-    fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
-        let at = self.warp_tails(uniform::tails(rng));
-        spherical(at, uniform::azimuth(rng))
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written. So with every `…_slice`.
+    fn pdf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.pdf(x)],
+        )
     }
 
-    /// Draws the direction of [`sample`](Spatial::sample) with its cosine, sine and density: the
-    /// same words, the same bits.
-    #[inline]
-    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
-        let at = self.warp_tails(uniform::tails(rng));
-        Sample {
-            direction: spherical(at, uniform::azimuth(rng)),
-            at,
-            density: self.density(at),
-        }
+    /// [`ln_pdf`](Law::ln_pdf) of each θ.
+    fn ln_pdf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.ln_pdf(x)],
+        )
     }
 
-    /// Draws a direction around the unit vector `normal`.
-    ///
-    /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
-    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may lose its
-    /// sign, so that a direction beside the horizon can come out on the surface or below it: weigh
-    /// it by the cosine and density of
-    /// [`sample_around_with_density`](Spatial::sample_around_with_density).
-    /// Randomness as [`sample`](Spatial::sample).
+    /// [`cdf`](Law::cdf) of each θ.
+    fn cdf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.tails(x).lower()],
+        )
+    }
+
+    /// [`sf`](Law::sf) of each θ.
+    fn sf_slice(&self, theta: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            theta,
+            [out],
+            #[inline(always)]
+            |x| [self.tails(x).upper()],
+        )
+    }
+
+    /// [`quantile`](Law::quantile) of each probability.
+    fn quantile_slice(&self, p: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            p,
+            [out],
+            #[inline(always)]
+            |x| [self.quantile_tails(Tails::from_lower(x))],
+        )
+    }
+
+    /// [`isf`](Law::isf) of each probability.
+    fn isf_slice(&self, p: &[T], out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            p,
+            [out],
+            #[inline(always)]
+            |x| [self.quantile_tails(Tails::from_upper(x))],
+        )
+    }
+
+    /// [`warp`](Law::warp) of each probability.
     ///
     /// ```
-    /// # use coslobe::{Lambert, Spatial};
-    /// # let mut rng = rand_pcg::Pcg32::new(1, 1);
-    /// let d: [f32; 3] = Lambert.sample_around([0.0, 0.0, -1.0], &mut rng);
-    /// assert!(d[2] < 0.0);
+    /// use coslobe::{CosSin, Lambert, Law};
+    /// let u = [0.0, 0.25, 1.0f32];
+    /// let (mut cos, mut sin) = ([0.0; 3], [0.0; 3]);
+    /// Lambert.warp_slice(&u, CosSin { cos: &mut cos, sin: &mut sin })?;
+    /// assert_eq!(sin, [0.0, 0.5, 1.0]);
+    /// # Ok::<(), coslobe::LengthError>(())
     /// ```
-    #[inline]
-    fn sample_around<R: Rng + ?Sized>(&self, normal: [T; 3], rng: &mut R) -> [T; 3] {
-        Frame::from_unit(normal).to_world(Spatial::sample(self, rng))
+    fn warp_slice(&self, u: &[T], out: CosSin<&mut [T]>) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            u,
+            [out.cos, out.sin],
+            #[inline(always)]
+            |u| self.warp_tails(Tails::from_lower(u)).to_array(),
+        )
     }
 
-    /// Draws the direction of [`sample_around`](Spatial::sample_around) with the cosine, sine and
-    /// density that it was drawn with: the same words, the same bits.
-    #[inline]
-    fn sample_around_with_density<R: Rng + ?Sized>(
-        &self,
-        normal: [T; 3],
-        rng: &mut R,
-    ) -> Sample<T, 3> {
-        let frame = Frame::from_unit(normal);
-        Spatial::sample_with_density(self, rng).rotated(|d| frame.to_world(d))
+    /// [`density`](Law::density) of each direction.
+    fn density_slice(&self, at: CosSin<&[T]>, out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (at.cos, at.sin),
+            [out],
+            #[inline(always)]
+            |(cos, sin)| [self.density(CosSin { cos, sin })],
+        )
     }
 
-    /// The direction at cdf of θ = `u[0]` and azimuth φ = `u[1]` turns: for stratified or
-    /// low-discrepancy points. NaN outside \[0, 1\]².
-    #[inline]
-    fn warp_direction(&self, u: [T; 2]) -> [T; 3] {
-        let turn = Tails::from_lower(u[1]).lower();
-        let azimuth = if turn.is_nan() {
-            CosSin {
-                cos: turn,
-                sin: turn,
-            }
-        } else {
-            CosSin::from_array(T::rounded(
-                Margin::Relative,
-                || T::Quick::at_turn(Holds::from_number(turn)).to_array(),
-                || T::Accurate::at_turn(Holds::from_number(turn)).to_array(),
-            ))
-        };
-        spherical(self.warp(u[0]), azimuth)
+    /// [`unwarp`](Law::unwarp) of each direction.
+    fn unwarp_slice(&self, at: CosSin<&[T]>, out: &mut [T]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (at.cos, at.sin),
+            [out],
+            #[inline(always)]
+            |(cos, sin)| [self.unwarp_tails(CosSin { cos, sin }).lower()],
+        )
     }
-
-    /// \[cdf of θ, azimuth in turns in \[0, 1)\] of a direction: the inverse of
-    /// [`warp_direction`](Spatial::warp_direction).
-    #[inline]
-    fn unwarp_direction(&self, d: [T; 3]) -> [T; 2] {
-        let at = CosSin {
-            cos: d[1],
-            sin: CosSin::hypot(d[0], d[2]),
-        };
-        let [turn] = T::rounded(
-            Margin::Relative,
-            || [turns(Holds::from_number(d[2]), Holds::from_number(d[0]))],
-            || {
-                [turns::<T::Accurate>(
-                    Holds::from_number(d[2]),
-                    Holds::from_number(d[0]),
-                )]
-            },
-        );
-        let turn = if turn < T::ZERO { turn + T::ONE } else { turn };
-        // A negative turn smaller than half an ulp of 1 rounds to 1, which is 0 again.
-        let turn = if turn >= T::ONE { T::ZERO } else { turn };
-        [self.unwarp(at), turn.abs()]
-    }
-}
-
-/// The angle of (x, y) in turns, from −½ to ½.
-#[inline(always)]
-fn turns<W: Kernel>(y: W, x: W) -> W {
-    y.atan2(x) * W::CONSTANTS.recip_two_pi.value()
-}
-
-/// \[sin θ cos φ, cos θ, sin θ sin φ\].
-#[inline(always)]
-pub(crate) fn spherical<T: Real>(at: CosSin<T>, azimuth: CosSin<T>) -> [T; 3] {
-    [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
 }

@@ -1,25 +1,34 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
+use super::measure::{Measure, Point};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
+use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Measure, Moments, Tails, Tangent};
+use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
-/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2, "sphere").
+/// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
+/// "sphere").
+///
+#[doc = include_str!("../../docs/measured/lobes/sphere-shell.svg")]
+///
+/// Operations: [`Law`](crate::Law) and [`Spatial`](crate::Spatial); the point itself:
+/// [`SpatialPoint`](crate::SpatialPoint).
 ///
 /// The shell has constant thickness along the ray, not across the surface: the paper's measure is
 /// δ(r − 2ρ cos θ) r² sin θ dr dθ dφ, whose mass 8πρ²/3 gives the density
 ///
 /// > 3 cos²θ / (2π) per steradian; q = 3 cos²θ sin θ / (2π) per dθ dφ, θ ∈ \[0, π/2\]
 ///
-/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law instead:
-/// the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here, ⅔ there.
+/// and cdf 1 − cos³θ. Points uniform on the surface follow [`Lambert`](crate::Lambert)'s law
+/// instead: the surface element has another factor √(r² + r′²)/r = 1/cos θ. Mean cos θ is ¾ here,
+/// ⅔ there.
 ///
 /// Errors: within [`accuracy`](crate::accuracy)'s table, everywhere in the support; outside it the
 /// density is 0. Randomness of a sample: one `next_u64` and one `next_u32` for `f32`, three
@@ -51,7 +60,7 @@ impl SphereShell {
 }
 
 impl<W: Kernel> Formulas<W> for SphereShell {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
         let p = at.cos.times(at.sin).times(at.cos);
@@ -63,16 +72,15 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         )
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let at = W::at_angle(theta);
-        let p = W::CONSTANTS.ln_three_over_two_pi.value()
-            + W::ln_cos(at) * W::int(2)
-            + at.sin.value().ln();
+        let p = at.cos.times(at.cos).times(W::CONSTANTS.three_over_two_pi);
+        let p = p.value().ln() + at.sin.value().ln();
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let at = W::at_angle(theta);
         let (c2, s2) = (at.cos.times(at.cos), at.sin.times(at.sin));
@@ -80,13 +88,13 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         spatial_tails(theta, Tails::from_both(lower, c2.times(at.cos).value()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         let p = at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value();
         spatial_direction(at, p)
     }
 
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         let cos = p.upper().cbrt();
         let ratio = (W::ONE + cos) / (W::ONE + cos + cos * cos);
@@ -96,7 +104,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         let CosSin { cos: c2, sin: s2 } = at.squares();
         let lower = lower_tail(at.cos, s2);
@@ -104,7 +112,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     }
 
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
-    #[inline]
+    #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let at = self.warp_tails(p);
         // Below this the ratio of the tails is 2/3 to all digits, and cubes would underflow.
@@ -118,12 +126,12 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         W::angle(CosSin { cos: at.cos, sin })
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         spatial_direction(at, W::int(2) / (W::int(3) * at.cos.abs()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         let c = W::at_angle(theta).cos;
         let p = c.times(c).times(W::CONSTANTS.three_over_two_pi).value();
@@ -134,14 +142,35 @@ impl<W: Kernel> Formulas<W> for SphereShell {
 impl Own for SphereShell {}
 
 impl Parameterless for SphereShell {
-    #[inline]
-    fn moments<B: Native>() -> Moments<B> {
-        B::TABLE.sphere_shell_moments
+    fn moments<B: Native>() -> Moments<Pair<B>> {
+        let c = <B as Native>::CONSTANTS;
+        let mean_cos = Pair::ratio(3, 4);
+        let mean_theta = Pair::ratio(2, 3);
+        let mean_theta_squared = c.two_pi.mul(Pair::ratio(1, 3)).add(Pair::ratio(-14, 9));
+        Moments {
+            mean_cos,
+            var_cos: variance(Pair::ratio(3, 5), mean_cos),
+            mean_theta,
+            var_theta: variance(mean_theta_squared, mean_theta),
+            entropy: Pair::ratio(2, 3).add(c.ln_three_over_two_pi.neg()),
+        }
     }
 }
 
-impl<T: Real> Tangent<T> for SphereShell {
+impl Point for SphereShell {
     const MEASURE: Measure = Measure::SphereShell;
+    const IS_PLANAR: bool = false;
+
+    /// 3 cos²θ sin θ / 2π.
+    #[inline]
+    fn point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        at.cos * at.cos * W::CONSTANTS.three_over_two_pi.value() * at.sin
+    }
+
+    #[inline]
+    fn ln_point_density<W: Kernel>(_: W, at: CosSin<W>) -> W {
+        W::CONSTANTS.ln_three_over_two_pi.value() + at.cos.ln() * W::int(2) + at.sin.ln()
+    }
 }
 
 /// 1 − cos³θ = sin²θ (1 + cos θ + cos²θ)/(1 + cos θ), without its cancellation near the axis.

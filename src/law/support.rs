@@ -1,4 +1,4 @@
-//! Total functions: what a value is outside its domain.
+//! The laws' support, and what a value is outside it.
 
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
@@ -15,7 +15,7 @@ pub(crate) fn within<T: Scalar>(x: T, inside: bool, value: T, outside: T) -> T {
     }
 }
 
-/// Moves an angle that rounding put beyond ±π/2 back to the last number inside.
+/// The angle, or the last number inside the support if rounding put it beyond ±π/2.
 #[inline(always)]
 pub(crate) fn into_support<T: Scalar>(theta: T) -> T {
     if theta > T::HALF_PI_DOWN {
@@ -39,20 +39,20 @@ pub(crate) fn spatial<T: Scalar>(theta: T) -> bool {
     theta >= T::ZERO && theta <= T::HALF_PI_DOWN
 }
 
-/// `value` for a pair with cos θ ≥ 0, 0 below the horizon, NaN where a field is.
+/// `value` for a direction with cos θ ≥ 0, 0 below the horizon, NaN where a component is.
 #[inline(always)]
 pub(crate) fn planar_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
-    pair(at, at.cos >= T::ZERO, value)
+    direction(at, at.cos >= T::ZERO, value)
 }
 
-/// `value` for a pair with cos θ, sin θ ≥ 0, 0 elsewhere, NaN where a field is.
+/// `value` for a direction with cos θ, sin θ ≥ 0, 0 elsewhere, NaN where a component is.
 #[inline(always)]
 pub(crate) fn spatial_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
-    pair(at, at.cos >= T::ZERO && at.sin >= T::ZERO, value)
+    direction(at, at.cos >= T::ZERO && at.sin >= T::ZERO, value)
 }
 
 #[inline(always)]
-fn pair<T: Scalar>(at: CosSin<T>, inside: bool, value: T) -> T {
+fn direction<T: Scalar>(at: CosSin<T>, inside: bool, value: T) -> T {
     // + 0 turns the −0 of a cosine −0 into +0.
     let value = within(at.sin, inside, value + T::ZERO, T::ZERO);
     within(at.cos, true, value, value)
@@ -68,12 +68,12 @@ pub(crate) fn spatial_tails<T: Scalar>(theta: T, inside: Tails<T>) -> Tails<T> {
     }
 }
 
-/// The tails of a spatial law at a pair: `inside`, or those of the end that it lies beyond.
+/// The tails of a spatial law at a direction: `inside`, or those of the end that it lies beyond.
 #[inline(always)]
 pub(crate) fn spatial_direction_tails<T: Scalar>(at: CosSin<T>, inside: Tails<T>) -> Tails<T> {
     if at.cos >= T::ZERO && at.sin >= T::ZERO {
         inside
     } else {
-        Tails::from_nearer(pair(at, true, T::ZERO), at.cos < T::ZERO)
+        Tails::from_nearer(direction(at, true, T::ZERO), at.cos < T::ZERO)
     }
 }

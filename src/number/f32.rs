@@ -1,4 +1,5 @@
-//! `f32` as a number type: its formulas run in its own arithmetic, and nothing is rounded after them.
+//! `f32` as a number type: its formulas run in its own arithmetic, and nothing is rounded after
+//! them.
 
 use super::Real;
 use crate::arithmetic::holds::Holds;
@@ -7,7 +8,7 @@ use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f32 as uniform;
 use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 impl Real for f32 {}
 
@@ -40,10 +41,10 @@ impl Tier for f32 {
     #[inline(always)]
     fn rounded<const N: usize>(
         _: Margin,
+        quick: impl FnOnce() -> [f32; N],
         _: impl FnOnce() -> [f32; N],
-        accurate: impl FnOnce() -> [f32; N],
     ) -> [f32; N] {
-        accurate()
+        quick()
     }
 
     #[inline(always)]
@@ -57,13 +58,13 @@ impl Tier for f32 {
     }
 
     #[inline]
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
-        rng.next_u64()
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u64, R::Error> {
+        rng.try_next_u64()
     }
 
     #[inline]
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
-        rng.next_u32()
+    fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u32, R::Error> {
+        rng.try_next_u32()
     }
 
     #[inline]

@@ -1,4 +1,5 @@
-//! `f64` as a number type: its formulas run in its own arithmetic, and nothing is rounded after them.
+//! `f64` as a number type: its formulas run in its own arithmetic, and nothing is rounded after
+//! them.
 
 use super::Real;
 use crate::arithmetic::holds::Holds;
@@ -7,7 +8,7 @@ use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f64 as uniform;
 use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 impl Real for f64 {}
 
@@ -40,10 +41,10 @@ impl Tier for f64 {
     #[inline(always)]
     fn rounded<const N: usize>(
         _: Margin,
+        quick: impl FnOnce() -> [f64; N],
         _: impl FnOnce() -> [f64; N],
-        accurate: impl FnOnce() -> [f64; N],
     ) -> [f64; N] {
-        accurate()
+        quick()
     }
 
     #[inline(always)]
@@ -57,14 +58,14 @@ impl Tier for f64 {
     }
 
     #[inline]
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u128 {
-        let high = u128::from(rng.next_u64());
-        (high << 64) | u128::from(rng.next_u64())
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u128, R::Error> {
+        let high = u128::from(rng.try_next_u64()?);
+        Ok((high << 64) | u128::from(rng.try_next_u64()?))
     }
 
     #[inline]
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
-        rng.next_u64()
+    fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u64, R::Error> {
+        rng.try_next_u64()
     }
 
     #[inline]

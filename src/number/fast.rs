@@ -6,7 +6,7 @@ use crate::arithmetic::holds::Holds;
 use crate::number::Real;
 use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 pub use crate::arithmetic::fast::Fast;
 
@@ -48,10 +48,10 @@ impl Tier for Fast<f32> {
     #[inline(always)]
     fn rounded<const N: usize>(
         _: Margin,
+        quick: impl FnOnce() -> [Self; N],
         _: impl FnOnce() -> [Self; N],
-        accurate: impl FnOnce() -> [Self; N],
     ) -> [Self; N] {
-        accurate()
+        quick()
     }
 
     #[inline(always)]
@@ -65,13 +65,13 @@ impl Tier for Fast<f32> {
     }
 
     #[inline]
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
-        rng.next_u32()
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u32, R::Error> {
+        rng.try_next_u32()
     }
 
     #[inline]
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
-        rng.next_u32()
+    fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u32, R::Error> {
+        rng.try_next_u32()
     }
 
     #[inline]

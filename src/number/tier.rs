@@ -5,9 +5,9 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::format::Native;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
-/// What a rounding test may take as the error of a quick result.
+/// What bounds the error of a quick result in the rounding test.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Margin {
     /// In proportion to the result.
@@ -16,11 +16,57 @@ pub enum Margin {
     OfOne,
 }
 
+/// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of
+/// them.
+pub trait Bits: Copy + Default {
+    type Half: Copy + Default;
+    /// The upper half, then the lower.
+    fn split(self) -> [Self::Half; 2];
+    fn join(halves: [Self::Half; 2]) -> Self;
+}
+
+impl Bits for u64 {
+    type Half = u32;
+    #[inline(always)]
+    fn split(self) -> [u32; 2] {
+        [(self >> 32) as u32, self as u32]
+    }
+    #[inline(always)]
+    fn join([upper, lower]: [u32; 2]) -> u64 {
+        u64::from(upper) << 32 | u64::from(lower)
+    }
+}
+
+impl Bits for u128 {
+    type Half = u64;
+    #[inline(always)]
+    fn split(self) -> [u64; 2] {
+        [(self >> 64) as u64, self as u64]
+    }
+    #[inline(always)]
+    fn join([upper, lower]: [u64; 2]) -> u128 {
+        u128::from(upper) << 64 | u128::from(lower)
+    }
+}
+
+/// As wide as its number already: all bits are the upper half.
+impl Bits for u32 {
+    type Half = u32;
+    #[inline(always)]
+    fn split(self) -> [u32; 2] {
+        [self, 0]
+    }
+    #[inline(always)]
+    fn join([upper, _]: [u32; 2]) -> u32 {
+        upper
+    }
+}
+
 /// A number type of the public interface.
 pub trait Tier: Scalar {
-    /// The arithmetic that is tried first.
+    /// The arithmetic of the quick phase, which is tried first.
     type Quick: Holds<Self>;
-    /// The arithmetic that decides.
+    /// The arithmetic of the accurate phase, which decides where the quick one cannot.
     type Accurate: Holds<Self>;
     /// The format that exact constants are read from.
     type Base: Native;
@@ -28,7 +74,8 @@ pub trait Tier: Scalar {
     /// How far the square of a unit vector's length may be from 1.
     const UNIT_SLACK: Self::Base;
 
-    /// The results of `accurate`, rounded; those of `quick` where they can be seen to round alike.
+    /// The results of the accurate phase, rounded; those of the quick phase where a rounding test
+    /// shows that they round to the same numbers.
     fn rounded<const N: usize>(
         margin: Margin,
         quick: impl FnOnce() -> [Self::Quick; N],
@@ -39,11 +86,21 @@ pub trait Tier: Scalar {
     fn from_base(x: Self::Base) -> Self;
 
     /// Random bits behind one [`Tails`].
-    type TailBits: Copy;
+    type TailBits: Bits;
     /// Random bits behind one azimuth.
-    type TurnBits: Copy;
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits;
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits;
+    type TurnBits: Copy + Default;
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TailBits, R::Error>;
+    fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TurnBits, R::Error>;
+    #[inline(always)]
+    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits {
+        let Ok(bits) = Self::try_draw_tail_bits(rng);
+        bits
+    }
+    #[inline(always)]
+    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TurnBits {
+        let Ok(bits) = Self::try_draw_turn_bits(rng);
+        bits
+    }
     fn tails_from_bits(bits: Self::TailBits) -> Tails<Self>;
     fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self>;
 }

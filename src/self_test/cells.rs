@@ -22,17 +22,18 @@ pub(super) struct Sum {
 }
 
 impl Sum {
-    /// Adds (O/p − n)² · p of a cell whose probability is p = 2^−`halvings`: its part of χ² times n.
+    /// Adds (O/p − n)² · p of a cell whose probability is p = 2^−`halvings`: its part of χ² times
+    /// n.
     ///
-    /// Of 65 535 samples and p ≥ 2⁻¹¹ the square is below 2⁵⁴. Each cell's shift drops less than 1: of at
-    /// most 64 cells and n ≥ 1024 together less than a tenth of χ².
+    /// Of 65 535 samples and p ≥ 2⁻¹¹ the square is below 2⁵⁴. Each cell's shift drops less than
+    /// 1: of at most 64 cells and n ≥ 1024 together less than a tenth of χ².
     pub(super) fn cell(&mut self, cell: u8, observed: u64, halvings: u32, n: u64) {
-        let off = (observed << halvings).abs_diff(n);
-        self.add(cell, off * off, halvings);
+        let off = observed.wrapping_shl(halvings).abs_diff(n);
+        self.add(cell, off.wrapping_mul(off), halvings);
     }
 
     pub(super) fn add(&mut self, cell: u8, square: u64, shift: u32) {
-        let part = square >> shift;
+        let part = square.wrapping_shr(shift);
         self.total = self.total.saturating_add(part);
         if part > self.most {
             self.most = part;
@@ -53,12 +54,14 @@ impl Sum {
 
 /// χ² of 2^`halvings` equally likely cells.
 fn even(counts: &[u16], halvings: u32) -> Option<Chi2> {
-    let n = counts.iter().map(|&count| u64::from(count)).sum();
+    let n = counts
+        .iter()
+        .fold(0u64, |sum, &n| sum.wrapping_add(n.into()));
     let mut sum = Sum::default();
-    for (cell, &count) in (0..).zip(counts) {
+    for (cell, &count) in (0..=u8::MAX).zip(counts) {
         sum.cell(cell, count.into(), halvings, n);
     }
-    sum.over(n, (counts.len() - 1) as u8)
+    sum.over(n, counts.len().wrapping_sub(1) as u8)
 }
 
 /// 16 equal sectors of φ.
@@ -91,7 +94,7 @@ impl Default for Pairs {
 
 impl Pairs {
     pub(super) fn add(&mut self, a: u8, b: u8) {
-        increment(&mut self.counts, usize::from(a) * 8 + usize::from(b));
+        increment(&mut self.counts, usize::from(a) << 3 | usize::from(b));
     }
 
     pub(super) fn chi2(&self) -> Option<Chi2> {
@@ -154,17 +157,17 @@ impl Polar {
         let depth = (n.max(1).ilog2().saturating_sub(FULL)).clamp(FIRST + 1, FIRST + 6);
         let n = u64::from(n);
         let mut sum = Sum::default();
-        let mut cells = 0..;
+        let mut cells = 0..=u8::MAX;
         let mut add = |observed: u64, halvings| {
             sum.cell(cells.next().unwrap_or(u8::MAX), observed, halvings, n);
         };
         for (equal, halved) in self.equal.iter().zip(&self.halved) {
             let mut end = 0;
-            for (halvings, &count) in (FIRST..).zip(halved) {
+            for (halvings, &count) in (FIRST..FIRST + HALVED as u32).zip(halved) {
                 if halvings < depth {
-                    add(count.into(), halvings + 1);
+                    add(count.into(), halvings.wrapping_add(1));
                 } else {
-                    end += u64::from(count);
+                    end = u64::wrapping_add(end, count.into());
                 }
             }
             add(end, depth);
@@ -172,8 +175,8 @@ impl Polar {
                 add(count.into(), FIRST);
             }
         }
-        let cells = 2 * (EQUAL as u32 + depth - FIRST + 1);
-        sum.over(n, (cells - 1) as u8).unwrap_or(Chi2 {
+        let cells = (EQUAL as u32 - FIRST + 1).wrapping_add(depth) << 1;
+        sum.over(n, cells.wrapping_sub(1) as u8).unwrap_or(Chi2 {
             tenths: 0,
             freedom: 0,
             worst: 0,

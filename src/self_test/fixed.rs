@@ -1,61 +1,60 @@
-//! `fixed`: the laws in integers as subjects of the check, which stays integer throughout.
+//! `fixed`: the laws in integers as subjects of the test, which stays integer throughout.
 
-use super::{Check, Invalid, Place, Subject};
-use crate::fixed::FixedLaw;
-use crate::{CosSin, Fixed};
-use ::fixed::types::I1F31;
+use super::{Invalid, Place, Subject, Test};
+use crate::CosSin;
+use crate::fixed::{Component, Format, Formulas, Integers};
+use ::fixed::traits::Fixed;
 use rand_core::Rng;
 
-/// How far the square of a length may be from 1, in Q62: 2⁻²⁶, of components that are off by 4 units of Q31.
-const SLACK: u64 = 1 << 36;
-
-/// The crate's sampler of a law in integers.
+/// The crate's sampler of a law in integers, `I` = `Fixed<L>` or `Fixed16<L>`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InFixed<L> {
-    law: Fixed<L>,
+pub struct InFixed<I> {
+    law: I,
 }
 
-/// A check of a law in integers, in the plane or in space.
+/// A test of a law in integers, of 32 bits or 16, in the plane or in space.
 ///
 /// ```
-/// use coslobe::{Disk, Fixed, self_test::{self, Alarm}};
-/// let mut check = self_test::fixed(Fixed(Disk));
-/// check.run(&mut rand_pcg::Pcg32::new(2024, 1), self_test::SAMPLES);
-/// check.verdict(Alarm::OneInBillion)?;
+/// use coslobe::{Disk, Fixed, Fixed16, Lambert, self_test::{self, Alarm}};
+/// let mut test = self_test::fixed(Fixed(Disk));
+/// test.run(&mut rand_pcg::Pcg32::new(2024, 1), self_test::SAMPLES);
+/// test.verdict(Alarm::OneInBillion)?;
+/// let mut test = self_test::fixed(Fixed16(Lambert));
+/// test.run(&mut rand_pcg::Pcg32::new(2024, 1), self_test::SAMPLES);
+/// test.verdict(Alarm::OneInBillion)?;
 /// # Ok::<(), coslobe::self_test::Fault>(())
 /// ```
-pub fn fixed<L: FixedLaw>(law: Fixed<L>) -> Check<InFixed<L>>
+pub fn fixed<F: Format, L: Formulas<F>>(law: Integers<F, L>) -> Test<InFixed<Integers<F, L>>>
 where
-    InFixed<L>: Subject,
+    InFixed<Integers<F, L>>: Subject,
 {
-    Check::new(InFixed { law })
+    Test::new(InFixed { law })
 }
 
 /// A direction in the plane or in space. Sealed.
 pub trait Components: Copy {
-    /// The direction's pair, the square of its length in Q62, and its sector.
-    fn polar(self) -> (CosSin<I1F31>, u64, Option<u8>);
+    /// The direction's pair in Q31, the square of its length in Q62, and its sector.
+    fn polar(self) -> (CosSin<i32>, u64, Option<u8>);
 }
 
-fn square(x: I1F31) -> u64 {
-    let x = u64::from(x.to_bits().unsigned_abs());
+fn square(x: i32) -> u64 {
+    let x = u64::from(x.unsigned_abs());
     x * x
 }
 
-impl Components for [I1F31; 2] {
-    fn polar(self) -> (CosSin<I1F31>, u64, Option<u8>) {
-        let [sin, cos] = self;
+impl<C: Component> Components for [C; 2] {
+    fn polar(self) -> (CosSin<i32>, u64, Option<u8>) {
+        let [sin, cos] = self.map(C::Format::of_component);
         (CosSin { cos, sin }, square(sin) + square(cos), None)
     }
 }
 
-impl Components for [I1F31; 3] {
-    fn polar(self) -> (CosSin<I1F31>, u64, Option<u8>) {
-        let [x, cos, z] = self;
+impl<C: Component> Components for [C; 3] {
+    fn polar(self) -> (CosSin<i32>, u64, Option<u8>) {
+        let [x, cos, z] = self.map(C::Format::of_component);
         let flat = square(x) + square(z);
-        let sin = I1F31::from_bits(i32::try_from(flat.isqrt()).unwrap_or(i32::MAX));
-        let sector = sector(x.to_bits(), z.to_bits());
-        (CosSin { cos, sin }, flat + square(cos), Some(sector))
+        let sin = i32::try_from(flat.isqrt()).unwrap_or(i32::MAX);
+        (CosSin { cos, sin }, flat + square(cos), Some(sector(x, z)))
     }
 }
 
@@ -68,10 +67,9 @@ fn sector(x: i32, z: i32) -> u8 {
     bit(x < 0, 3) | bit(z < 0, 2) | bit(steep, 1) | bit(outer, 0)
 }
 
-impl<L: FixedLaw> Subject for InFixed<L>
+impl<F: Format, L: Formulas<F>> Subject for InFixed<Integers<F, L>>
 where
     L::Direction: Components,
-    L::Density: Default + PartialOrd,
 {
     type Sample = L::Direction;
 
@@ -81,19 +79,19 @@ where
 
     fn place(&self, sample: &L::Direction) -> Result<Place, Invalid> {
         let (at, square, sector) = sample.polar();
-        if square.abs_diff(1 << 62) > SLACK {
+        if square.abs_diff(1 << 62) > F::LENGTH_SLACK {
             return Err(Invalid::Length);
         }
-        if at.cos <= I1F31::ZERO {
+        if at.cos <= 0 {
             return Err(Invalid::Support);
         }
-        if self.law.density(at) <= L::Density::default() {
+        if self.law.0.density(at) <= <L::Density as Fixed>::ZERO {
             return Err(Invalid::Density);
         }
-        let (lower, upper) = (self.law.unwarp(at), self.law.unwarp_sf(at));
+        let tails = self.law.0.unwarp_tails(at);
         Ok(Place {
-            tail: lower.min(upper).to_bits() >> 1,
-            upper: upper < lower,
+            tail: tails.lower.min(tails.upper) >> 1,
+            upper: tails.upper < tails.lower,
             sector,
         })
     }

@@ -4,10 +4,11 @@ use super::cells::Chi2;
 use super::report::{Fault, Score, Statistic};
 use super::table::TABLE;
 
-/// How often a check of a perfect generator and sampler may fail, at most.
+/// How often a test of a perfect generator and sampler may fail, at most.
 ///
-/// Each of the eight statistics is judged on two sides, each side at 1/32 of this: the tails of a χ² of
-/// counts are up to 6 times heavier than the law's own, out there.
+/// Each of the eight statistics is judged on two sides, each side at 1/32 of this and not at 1/16:
+/// so far out the tails of a χ² of counts are up to 6 times heavier than those of the χ²
+/// distribution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Alarm {

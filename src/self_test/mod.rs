@@ -3,16 +3,17 @@
 //! ```
 //! use coslobe::{Lambert, self_test::{self, Alarm}};
 //! let mut rng = rand_pcg::Pcg32::new(2024, 1);
-//! let mut check = self_test::spatial::<f32, _>(Lambert);
-//! check.run(&mut rng, self_test::SAMPLES);
-//! let report = check.verdict(Alarm::OneInBillion)?;
+//! let mut test = self_test::spatial::<f32, _>(Lambert);
+//! test.run(&mut rng, self_test::SAMPLES);
+//! let report = test.verdict(Alarm::OneInBillion)?;
 //! assert_eq!(report.samples, 16_384);
 //! # Ok::<(), coslobe::self_test::Fault>(())
 //! ```
 //!
-//! Samples are counted in cells that the law makes equally likely or that are halved towards both ends
-//! of θ, and each table of counts is judged by χ² on both sides: too uneven, or too even to be random.
-//! The limits were computed on a host; here everything but the law's own formulas is integers.
+//! Samples are counted in cells that the law makes equally likely or that are halved towards both
+//! ends of θ, and each table of counts is judged by χ² on both sides: too uneven, or too even to
+//! be random. The limits were computed on a host; here everything but the law's own formulas is
+//! integers.
 //!
 //! | statistic | cells | sees |
 //! |---|---|---|
@@ -26,8 +27,8 @@
 //! Besides, every sample must be [valid](Invalid), and no four samples in a row may come again
 //! ([`Fault::Repeats`]: any period up to half the number of samples).
 //!
-//! The law of the check itself is what [`Law::unwarp_tails`](crate::Law::unwarp_tails) computes; that a sampler
-//! agrees with its own wrong cdf is for the host's tests to see, not for this one.
+//! A sample is placed in its law by [`Law::unwarp_tails`](crate::Law::unwarp_tails). If that were
+//! wrong together with the sampler, this test would not see it; tests on a host do.
 #![doc = include_str!("../../docs/measured/self_test.md")]
 
 mod cells;
@@ -53,7 +54,7 @@ use rand_core::Rng;
 use repeat::Repeat;
 use words::{Tally, Tap};
 
-/// Samples that a power-on check takes by default.
+/// Samples that a power-on test takes by default.
 pub const SAMPLES: u16 = 1 << 14;
 
 /// Fewest samples for a verdict: below it the cells hold too few for χ².
@@ -63,7 +64,7 @@ pub const FEWEST: u16 = 1 << 12;
 ///
 /// All of it lives where the caller puts it, the stack as a rule: no static memory.
 #[derive(Clone, Debug)]
-pub struct Check<S> {
+pub struct Test<S> {
     subject: S,
     samples: u16,
     invalid: Option<(u16, Invalid)>,
@@ -78,20 +79,20 @@ pub struct Check<S> {
     words: Tally,
 }
 
-/// A check of a law in the plane, sampled in the number type `T`.
-pub fn planar<T: Real, L: Planar<T>>(law: L) -> Check<InPlane<T, L>> {
-    Check::new(InPlane::new(law))
+/// A test of a law in the plane, sampled in the number type `T`.
+pub fn planar<T: Real, L: Planar<T>>(law: L) -> Test<InPlane<T, L>> {
+    Test::new(InPlane::new(law))
 }
 
-/// A check of a law in space, sampled in the number type `T`.
-pub fn spatial<T: Real, L: Spatial<T>>(law: L) -> Check<InSpace<T, L>> {
-    Check::new(InSpace::new(law))
+/// A test of a law in space, sampled in the number type `T`.
+pub fn spatial<T: Real, L: Spatial<T>>(law: L) -> Test<InSpace<T, L>> {
+    Test::new(InSpace::new(law))
 }
 
-impl<S: Subject> Check<S> {
-    /// An empty check of `subject`: a law by [`InPlane`] or [`InSpace`], or a sampler of your own.
+impl<S: Subject> Test<S> {
+    /// An empty test of `subject`: a law by [`InPlane`] or [`InSpace`], or a sampler of your own.
     pub fn new(subject: S) -> Self {
-        Check {
+        Test {
             subject,
             samples: 0,
             invalid: None,
@@ -157,8 +158,8 @@ impl<S: Subject> Check<S> {
     /// Judges what was counted so far; counting may go on.
     ///
     /// # Errors
-    /// The first fault, the plainest and the generator's own first: an invalid sample, a period, too few
-    /// samples to say more, then the [`Statistic`]s in their order.
+    /// The first fault, the plainest and the generator's own first: an invalid sample, a period,
+    /// too few samples to say more, then the [`Statistic`]s in their order.
     pub fn verdict(&self, alarm: Alarm) -> Result<Report, Fault> {
         if let Some((sample, why)) = self.invalid {
             return Err(Fault::Invalid { sample, why });

@@ -17,7 +17,7 @@ impl Repeat {
         let [_, b, c, d] = self.last;
         self.last = [b, c, d, fingerprint];
         if self.marked_at > 0 && self.found.is_none() && self.last == self.mark {
-            self.found = Some((n, n - self.marked_at));
+            self.found = Some((n, n.wrapping_sub(self.marked_at)));
         }
         if n.is_power_of_two() && usize::from(n) >= ROW {
             self.mark = self.last;

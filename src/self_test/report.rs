@@ -1,4 +1,4 @@
-//! What a check found.
+//! What a test found.
 
 use super::subject::Invalid;
 use core::fmt;
@@ -45,14 +45,14 @@ pub struct Score {
     pub worst: u8,
 }
 
-/// A check that found nothing.
+/// A test that found nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Report {
     /// Samples judged.
     pub samples: u16,
-    /// 32-bit words that went through [`run`](super::Check::run).
+    /// 32-bit words that went through [`run`](super::Test::run).
     pub words: u32,
     /// [`Statistic::Bits`], where words were seen.
     pub bits: Option<Score>,
@@ -109,7 +109,8 @@ impl fmt::Display for Score {
             (point(self.tenths), point(self.least), point(self.most));
         write!(
             f,
-            "{:?}: χ² = {value}.{tenth} with {} degrees of freedom, expected {least}.{low} to {most}.{high}; most of it in cell {}",
+            "{:?}: χ² = {value}.{tenth} with {} degrees of freedom, \
+             expected {least}.{low} to {most}.{high}; most of it in cell {}",
             self.statistic, self.freedom, self.worst
         )
     }

@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use rand_core::Rng;
 
 /// A sampler with the law that it claims. [`InPlane`] and [`InSpace`] are the crate's own samplers;
-/// implement it for yours, to check it by a law of the crate.
+/// implement it for yours, to judge it by a law of the crate.
 pub trait Subject {
     /// What one draw gives.
     type Sample;
@@ -30,7 +30,8 @@ pub struct Place {
     pub tail: u32,
     /// Whether that is the upper one.
     pub upper: bool,
-    /// Which of 16 equal sectors of φ, in any order but with halves of an octant side by side; none in the plane.
+    /// Which of 16 equal sectors of φ, in any order but with halves of an octant side by side;
+    /// none in the plane.
     pub sector: Option<u8>,
 }
 
@@ -56,7 +57,7 @@ pub enum Invalid {
     /// A component is NaN or infinite.
     NotFinite,
     /// The square of its length is off 1 by more than 2⁻¹⁸ (`f32`, `Precise<f32>`), 2⁻³⁴ (`f64`,
-    /// `Precise<f64>`), 2⁻²⁶ (`Fixed`) or 2⁻¹⁰ (`Fast<f32>`).
+    /// `Precise<f64>`), 2⁻²⁶ (`Fixed`), 2⁻¹² (`Fixed16`) or 2⁻¹⁰ (`Fast<f32>`).
     Length,
     /// On or below the horizon: cos θ ≤ 0.
     Support,

@@ -35,8 +35,8 @@ impl Columns {
     fn chi2(&self, n: u32) -> Option<Chi2> {
         let mut sum = Sum::default();
         for bit in 0..32 {
-            let off = (u64::from(self.count(bit)) * 2).abs_diff(u64::from(n));
-            sum.add(bit as u8, off * off, 0);
+            let off = (u64::from(self.count(bit)) << 1).abs_diff(u64::from(n));
+            sum.add(bit as u8, off.wrapping_mul(off), 0);
         }
         sum.over(u64::from(n), 32)
     }
@@ -61,7 +61,7 @@ impl Tally {
             self.flips.add(word ^ self.last);
         }
         self.last = word;
-        self.words += 1;
+        self.words = self.words.wrapping_add(1);
     }
 
     pub(super) fn words(&self) -> u32 {

@@ -96,3 +96,22 @@ fn cos_power_in_strides() {
         }
     }
 }
+
+/// k = 0 is uniform on the hemisphere, its rim included; every other law is 0 there.
+#[test]
+fn the_rim_has_a_density_for_k_0_alone() {
+    let uniform = (65536.0 / TAU).floor() as u32;
+    let rim = CosSin {
+        cos: I1F31::ZERO,
+        sin: I1F31::MAX,
+    };
+    let quarter = I0F32::from_bits(1 << 30);
+    for k in [0, 1, 1 << 16, u32::MAX] {
+        let law = Fixed(coslobe::fixed::CosPower::new(U16F16::from_bits(k)));
+        let want = if k == 0 { uniform } else { 0 };
+        assert_eq!(law.density(rim).to_bits(), want, "k = {k}/65536");
+        assert_eq!(law.pdf(quarter).to_bits(), want, "k = {k}/65536");
+        let past = I0F32::from_bits((1 << 30) + 1);
+        assert_eq!(law.pdf(past), 0, "k = {k}/65536");
+    }
+}

@@ -3,10 +3,10 @@
 //! If a change is meant, mark it "value-breaking" in the changelog and run
 //! `COSLOBE_BLESS=1 cargo test --features fixed --test fixed16 golden`.
 
-use crate::subject::{Subject, subjects};
-use coslobe::fixed::Fixed16Law;
-use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
+use coslobe::Fixed16;
 use fixed::types::I1F15;
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
+use kit::integer::short::{Subject, subjects};
 use rand_pcg::Pcg32;
 use std::fmt::Write;
 
@@ -48,15 +48,20 @@ fn functions(law: &Subject, lines: &mut String) {
     });
 }
 
-fn samples<L: Fixed16Law<Direction: AsRef<[I1F15]>>>(name: &str, law: L, lines: &mut String) {
-    let mut rng = Pcg32::new(1, 2);
-    let directions = (0..100_000).flat_map(|_| {
-        let drawn = Fixed16(law).sample(&mut rng);
-        let drawn: Vec<_> = drawn.as_ref().iter().map(|x| x.to_bits() as u16).collect();
-        drawn
-    });
-    let hash = hash(directions);
-    writeln!(lines, "{name} samples: {hash:016x}").expect("a string grows");
+/// Lines of samples.
+struct Samples(String);
+
+impl IntegerVisitor for Samples {
+    fn law<L: IntegerLaw>(&mut self, law: L) {
+        let mut rng = Pcg32::new(1, 2);
+        let directions = (0..100_000).flat_map(|_| {
+            let drawn = Fixed16(law).sample(&mut rng);
+            let drawn: Vec<_> = drawn.as_ref().iter().map(|x| x.to_bits() as u16).collect();
+            drawn
+        });
+        let hash = hash(directions);
+        writeln!(self.0, "{} samples: {hash:016x}", L::ID).expect("a string grows");
+    }
 }
 
 #[test]
@@ -65,12 +70,9 @@ fn values_are_stable() {
     for law in subjects() {
         functions(&law, &mut lines);
     }
-    samples("Disk", Disk, &mut lines);
-    samples("CircleShell", CircleShell, &mut lines);
-    samples("CircleArc", CircleArc, &mut lines);
-    samples("Ball", Ball, &mut lines);
-    samples("SphereShell", SphereShell, &mut lines);
-    samples("Lambert", Lambert, &mut lines);
+    let mut samples = Samples(lines);
+    every_integer_law(&mut samples);
+    let lines = samples.0;
     if std::env::var_os("COSLOBE_BLESS").is_some() {
         std::fs::write(FILE, &lines).expect("the golden file is writable");
         return;
@@ -85,7 +87,7 @@ fn values_are_stable() {
         changed.is_empty() && lines.lines().count() == golden.lines().count(),
         "value-breaking change, (found, expected): {changed:#?}"
     );
-    let [disk, ..] = subjects();
+    let disk = subjects()[0];
     let spoiled = Subject {
         isf: |p| disk_isf(p) ^ i16::from(p == 7),
         ..disk
@@ -96,6 +98,6 @@ fn values_are_stable() {
 }
 
 fn disk_isf(p: u16) -> i16 {
-    let [disk, ..] = subjects();
+    let disk = subjects()[0];
     (disk.isf)(p)
 }

@@ -7,12 +7,11 @@ mod golden;
 mod maps;
 mod pairs;
 mod samples;
-mod subject;
 mod wrong;
 
 use fixed::types::I1F15;
+use kit::integer::short::{Pair, Subject, subjects};
 use pairs::{length_off, pair, unit_pairs};
-use subject::{Pair, Subject, subjects};
 
 const Q15: f64 = 32768.0;
 const Q16: f64 = 65536.0;

@@ -1,18 +1,16 @@
 //! Pairs of words.
-// Its items are those of one test file.
-#![allow(unreachable_pub)]
 
 use crate::Q15;
-use crate::subject::Pair;
 use coslobe::CosSin;
 use fixed::types::I1F15;
+use kit::integer::short::Pair;
 
-pub fn length_off(at: Pair) -> f64 {
+pub(crate) fn length_off(at: Pair) -> f64 {
     (f64::from(at.cos.to_bits()).hypot(f64::from(at.sin.to_bits())) - Q15).abs()
 }
 
 /// The two words of an input.
-pub fn pair(x: u32) -> Pair {
+pub(crate) fn pair(x: u32) -> Pair {
     CosSin {
         cos: I1F15::from_bits((x >> 16) as i16),
         sin: I1F15::from_bits(x as i16),
@@ -20,7 +18,7 @@ pub fn pair(x: u32) -> Pair {
 }
 
 /// All pairs in the closed support whose length is 1 to a unit.
-pub fn unit_pairs(planar: bool) -> Vec<u32> {
+pub(crate) fn unit_pairs(planar: bool) -> Vec<u32> {
     let mut pairs = Vec::new();
     for cos in 0..=i16::MAX {
         let sine = (Q15 * Q15 - f64::from(cos).powi(2)).sqrt();

@@ -66,10 +66,10 @@ fn low(word: u64) -> u64 {
 fn laws() {
     let first = |i, word| if i == 0 { low(word) } else { word };
     let all = |i, word| if i < 2 { low(word) } else { word };
-    // The second word's lower half is the azimuth or the sign.
+    // The second word's upper half is the azimuth or the sign.
     let three = |i, word| match i {
         0 => low(word),
-        1 => word & 0x0FFF_FFFF,
+        1 => word & 0xFFFF_0FFF,
         _ => word,
     };
     check(
@@ -96,11 +96,11 @@ fn laws() {
     );
     let chord = claim("CircleShell", true, 1.0, CircleShell.moments());
     check(CircleShell, &chord, N, 11, |_, word| {
-        u64::from(word as u32 >> 10)
+        (word & 0x8000_0000) | ((word & 0x7FFF_FFFF) >> 10)
     });
     // Of more samples the horizon's last unit would hold too many.
     let arc = claim("CircleArc", true, 0.0, CircleArc.moments());
-    check(CircleArc, &arc, N / 10, 7, |_, word| word | 0xFC00_0000);
+    check(CircleArc, &arc, N / 10, 7, |_, word| word | 0x7E00_0000);
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! Wrong laws, which the exhaustive errors must catch.
 
 use crate::pairs::unit_pairs;
-use crate::subject::{Pair, Subject, subjects};
 use crate::{PAIRS, Q15, WORDS, Worst};
 use coslobe::{Ball, CosSin, Fixed16};
 use fixed::types::{I1F15, U0F16};
+use kit::integer::short::{Pair, Subject, subjects};
 
 fn caught(law: Subject, row: &str) -> bool {
     let words = WORDS.iter().find(|(name, _)| *name == row);
@@ -22,7 +22,9 @@ fn caught(law: Subject, row: &str) -> bool {
 /// Spoiled laws: the exponent of another, an arc for a shell, a tail that is cut, a sine that collapses.
 #[test]
 fn wrong_laws_are_caught() {
-    let [_, chord, arc, ball, shell, lambert] = subjects();
+    let [_, chord, arc, ball, shell, lambert] = subjects()[..] else {
+        panic!("six laws");
+    };
     assert!(caught(
         Subject {
             warp: lambert.warp,

@@ -12,13 +12,13 @@ pub(crate) fn reports(seeds: u64) -> Vec<Report> {
     let run = |seed| {
         let mut rng = good(seed);
         if seed % 4 == 0 {
-            let mut check = self_test::planar::<f32, _>(CircleArc);
-            check.run(&mut rng, self_test::FEWEST);
-            check.verdict(Alarm::OneInMillion)
+            let mut test = self_test::planar::<f32, _>(CircleArc);
+            test.run(&mut rng, self_test::FEWEST);
+            test.verdict(Alarm::OneInMillion)
         } else {
-            let mut check = self_test::spatial::<f32, _>(Lambert);
-            check.run(&mut rng, self_test::FEWEST);
-            check.verdict(Alarm::OneInMillion)
+            let mut test = self_test::spatial::<f32, _>(Lambert);
+            test.run(&mut rng, self_test::FEWEST);
+            test.verdict(Alarm::OneInMillion)
         }
     };
     let verdicts = (0..seeds).into_par_iter().map(run);

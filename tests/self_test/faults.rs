@@ -1,4 +1,4 @@
-//! Every planted fault is named by a default check, or is listed as one that it cannot see.
+//! Every planted fault is named by a default test, or is listed as one that it cannot see.
 
 use crate::generators::{self, Words};
 use crate::samplers::{self, Verdict, judged};
@@ -105,11 +105,11 @@ fn every_type_sees_a_biased_and_a_stuck_generator() {
 fn samples_alone_show_a_stuck_top_bit() {
     use coslobe::Spatial;
     let mut rng = generators::stuck_bit(1, 31, true);
-    let mut check = self_test::spatial::<f32, _>(Lambert);
+    let mut test = self_test::spatial::<f32, _>(Lambert);
     for _ in 0..self_test::SAMPLES {
-        check.feed(&Spatial::sample(&Lambert, &mut rng));
+        test.feed(&Spatial::sample(&Lambert, &mut rng));
     }
-    let verdict = check.verdict(self_test::Alarm::OneInBillion);
+    let verdict = test.verdict(self_test::Alarm::OneInBillion);
     assert_eq!(name(&verdict).as_deref(), Some("Azimuth"));
 }
 

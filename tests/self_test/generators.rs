@@ -92,7 +92,7 @@ fn correlated(seed: u64, every: u32) -> Words {
 
 type Make = fn(u64) -> Words;
 
-/// What a fault is called, how it is made, and the fault that names it in the default check of
+/// What a fault is called, how it is made, and the fault that names it in the default test of
 /// `Lambert` in `f32`: none where it cannot be seen there.
 pub(crate) const FAULTS: &[(&str, Make, Option<&str>)] = &[
     ("stuck at 0", |_| counted(|_| 0), Some("Repeats")),

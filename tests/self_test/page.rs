@@ -1,16 +1,16 @@
-//! docs/measured/self_test.md: what the check sees, as measured here.
+//! docs/measured/self_test.md: what the test sees, as measured here.
 
 use crate::alarms;
 use crate::faults::name;
 use crate::generators::{self, good};
 use crate::samplers::{self, Verdict, judged};
 use coslobe::Lambert;
-use coslobe::self_test::{Check, InSpace};
+use coslobe::self_test::{InSpace, Test};
 use rayon::prelude::*;
 use std::fmt::Write;
 
-/// Bytes of a check: all it needs beside its functions' frames.
-const RAM: usize = size_of::<Check<InSpace<f32, Lambert>>>();
+/// Bytes of a test: all it needs beside its functions' frames.
+const RAM: usize = size_of::<Test<InSpace<f32, Lambert>>>();
 
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/measured/self_test.md");
 const STOPS: [u16; 5] = [4096, 8192, 16384, 32768, 65535];
@@ -46,7 +46,7 @@ fn page() -> String {
     let mut text = format!(
         "<!-- Written by `cargo test --release --test self_test -- --ignored write_page`. -->\n\
          # What it costs and what it sees\n\n\
-         A check takes {RAM} bytes of stack beside the frames of its functions, and no \
+         A test takes {RAM} bytes of stack beside the frames of its functions, and no \
          static memory.\n\n\
          Instructions beside those of each `f32` direction of `Lambert` itself, by QEMU (`cargo run --release \
          -p on_target -- self-test`, which compares them with these):\n\n\
@@ -71,7 +71,7 @@ fn page() -> String {
              False alarms: none of ";
     writeln!(
         text,
-        "{ALARM_SEEDS} checks of 4096 good samples at `Alarm::OneInMillion`. Scores outside what χ² has with \
+        "{ALARM_SEEDS} tests of 4096 good samples at `Alarm::OneInMillion`. Scores outside what χ² has with \
          probability p on a side:\n\n| p | expected | too even | too uneven |\n|--:|--:|--:|--:|"
     )
     .unwrap();

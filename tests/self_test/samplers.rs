@@ -2,7 +2,7 @@
 
 use crate::generators::Words;
 use coslobe::rand_core::Rng;
-use coslobe::self_test::{Alarm, Check, Fault, InPlane, InSpace, Invalid, Place, Report, Subject};
+use coslobe::self_test::{Alarm, Fault, InPlane, InSpace, Invalid, Place, Report, Subject, Test};
 use coslobe::{
     CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial, SphereShell,
     uniform,
@@ -111,18 +111,18 @@ pub(crate) type Run = fn(&mut Words, &[u16]) -> Vec<Verdict>;
 pub(crate) type Verdict = Result<Report, Fault>;
 
 pub(crate) fn judged<S: Subject>(subject: S, rng: &mut Words, stops: &[u16]) -> Vec<Verdict> {
-    let mut check = Check::new(subject);
+    let mut test = Test::new(subject);
     let mut drawn = 0;
     let mut verdicts = Vec::new();
     for &stop in stops {
-        check.run(rng, stop - drawn);
+        test.run(rng, stop - drawn);
         drawn = stop;
-        verdicts.push(check.verdict(Alarm::OneInBillion));
+        verdicts.push(test.verdict(Alarm::OneInBillion));
     }
     verdicts
 }
 
-/// What a fault is called, its run, and the fault that names it in a default check: none where it
+/// What a fault is called, its run, and the fault that names it in a default test: none where it
 /// cannot be seen there.
 pub(crate) const FAULTS: &[(&str, Run, Option<&str>)] = &[
     (

@@ -2,15 +2,15 @@
 
 use crate::generators::good;
 use coslobe::rand_core::Rng;
-use coslobe::self_test::{self, Alarm, Check, Fault, InSpace, Invalid, Place, Subject};
+use coslobe::self_test::{self, Alarm, Fault, InSpace, Invalid, Place, Subject, Test};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Planar, Precise, Real, Spatial,
     SphereShell,
 };
 
-fn passes<S: Subject>(mut check: Check<S>) {
-    check.run(&mut good(3), self_test::SAMPLES);
-    check.verdict(Alarm::OneInMillion).unwrap();
+fn passes<S: Subject>(mut test: Test<S>) {
+    test.run(&mut good(3), self_test::SAMPLES);
+    test.verdict(Alarm::OneInMillion).unwrap();
 }
 
 fn every_law<T: Real>(k: T) {
@@ -38,12 +38,12 @@ fn a_good_generator_passes_under_every_law_and_type() {
     every_law(Precise(7.3f64));
 }
 
-/// `Fixed`, with a good generator and with stuck, biased and short ones; its samples are in their cells.
+/// `Fixed` and `Fixed16`, with a good generator and with stuck, biased and short ones; its samples are in their cells.
 #[cfg(feature = "fixed")]
 #[test]
 fn integers_are_checked_by_integers() {
     use crate::generators::{biased, period, stuck_bit};
-    use coslobe::Fixed;
+    use coslobe::{Fixed, Fixed16};
     use fixed::types::I1F31;
     passes(self_test::fixed(Fixed(Disk)));
     passes(self_test::fixed(Fixed(CircleShell)));
@@ -51,17 +51,23 @@ fn integers_are_checked_by_integers() {
     passes(self_test::fixed(Fixed(Ball)));
     passes(self_test::fixed(Fixed(SphereShell)));
     passes(self_test::fixed(Fixed(Lambert)));
+    passes(self_test::fixed(Fixed16(Disk)));
+    passes(self_test::fixed(Fixed16(CircleShell)));
+    passes(self_test::fixed(Fixed16(CircleArc)));
+    passes(self_test::fixed(Fixed16(Ball)));
+    passes(self_test::fixed(Fixed16(SphereShell)));
+    passes(self_test::fixed(Fixed16(Lambert)));
     let lobe = coslobe::fixed::CosPower::new(fixed::types::U16F16::from_num(7.3));
     passes(self_test::fixed(Fixed(lobe)));
     for mut bad in [stuck_bit(1, 4, true), biased(1, !0, 0.05), period(1, 300)] {
-        let mut check = self_test::fixed(Fixed(Lambert));
-        check.run(&mut bad, self_test::SAMPLES);
-        assert!(check.verdict(Alarm::OneInBillion).is_err());
+        let mut test = self_test::fixed(Fixed(Lambert));
+        test.run(&mut bad, self_test::SAMPLES);
+        assert!(test.verdict(Alarm::OneInBillion).is_err());
     }
     let invalid = |sample: [f64; 3]| {
-        let mut check = self_test::fixed(Fixed(Lambert));
-        check.feed(&sample.map(I1F31::saturating_from_num));
-        check.verdict(Alarm::OneInBillion)
+        let mut test = self_test::fixed(Fixed(Lambert));
+        test.feed(&sample.map(I1F31::saturating_from_num));
+        test.verdict(Alarm::OneInBillion)
     };
     for (sample, why) in [
         ([0.6, 0.81, 0.0], Invalid::Length),
@@ -80,36 +86,33 @@ fn integers_are_checked_by_integers() {
 
 #[test]
 fn too_few_samples_are_no_verdict() {
-    let mut check = self_test::spatial::<f32, _>(Lambert);
-    check.run(&mut good(1), self_test::FEWEST - 1);
-    let fault = check.verdict(Alarm::OneInMillion).unwrap_err();
+    let mut test = self_test::spatial::<f32, _>(Lambert);
+    test.run(&mut good(1), self_test::FEWEST - 1);
+    let fault = test.verdict(Alarm::OneInMillion).unwrap_err();
     assert_eq!(fault, Fault::TooFew { samples: 4095 });
     assert_eq!(
         fault.to_string(),
         "4095 samples allow no verdict; expected at least 4096"
     );
-    check.run(&mut good(2), 1);
-    assert!(check.verdict(Alarm::OneInMillion).is_ok());
+    test.run(&mut good(2), 1);
+    assert!(test.verdict(Alarm::OneInMillion).is_ok());
 }
 
 /// Every number of samples finds its limits; after the last possible one nothing is counted.
 #[test]
 fn any_number_of_samples_can_be_judged() {
-    let mut check = self_test::spatial::<f32, _>(Lambert);
+    let mut test = self_test::spatial::<f32, _>(Lambert);
     let mut rng = good(1);
-    check.run(&mut rng, self_test::FEWEST - 1);
+    test.run(&mut rng, self_test::FEWEST - 1);
     for n in self_test::FEWEST..=u16::MAX {
-        check.run(&mut rng, 1);
+        test.run(&mut rng, 1);
         if n % 61 == 0 || n == u16::MAX || (n & (n - 1)) == 0 {
-            let report = check.verdict(Alarm::OneInBillion).unwrap();
+            let report = test.verdict(Alarm::OneInBillion).unwrap();
             assert_eq!((report.samples, report.words), (n, 3 * u32::from(n)));
         }
     }
-    check.run(&mut rng, 100);
-    assert_eq!(
-        check.verdict(Alarm::OneInBillion).unwrap().samples,
-        u16::MAX
-    );
+    test.run(&mut rng, 100);
+    assert_eq!(test.verdict(Alarm::OneInBillion).unwrap().samples, u16::MAX);
 }
 
 #[test]
@@ -124,11 +127,11 @@ fn invalid_samples_are_named_and_the_first_is_kept() {
         ([0.6, -0.8, 0.0], Invalid::Support),
     ];
     for (sample, why) in cases {
-        let mut check = self_test::spatial::<f32, _>(Lambert);
-        check.feed(&[0.6, 0.8, 0.0]);
-        check.feed(&sample);
-        check.feed(&[f32::NAN; 3]);
-        let fault = check.verdict(Alarm::OneInMillion).unwrap_err();
+        let mut test = self_test::spatial::<f32, _>(Lambert);
+        test.feed(&[0.6, 0.8, 0.0]);
+        test.feed(&sample);
+        test.feed(&[f32::NAN; 3]);
+        let fault = test.verdict(Alarm::OneInMillion).unwrap_err();
         assert_eq!(fault, Fault::Invalid { sample: 2, why }, "{sample:?}");
     }
     // A steep lobe's density underflows long before the horizon.
@@ -184,10 +187,10 @@ fn own_subjects_and_a_sampler_that_stops_it_early() {
             })
         }
     }
-    passes(Check::new(Own));
-    let mut check = self_test::spatial::<f32, _>(Lambert);
-    check.run(&mut crate::generators::period(1, 3), self_test::SAMPLES);
-    let fault = check.verdict(Alarm::OneInBillion).unwrap_err();
+    passes(Test::new(Own));
+    let mut test = self_test::spatial::<f32, _>(Lambert);
+    test.run(&mut crate::generators::period(1, 3), self_test::SAMPLES);
+    let fault = test.verdict(Alarm::OneInBillion).unwrap_err();
     assert_eq!(
         fault,
         Fault::Repeats {
@@ -203,12 +206,12 @@ fn own_subjects_and_a_sampler_that_stops_it_early() {
 
 #[test]
 fn a_fault_is_explained() {
-    let mut check = self_test::spatial::<f32, _>(Lambert);
-    check.run(
+    let mut test = self_test::spatial::<f32, _>(Lambert);
+    test.run(
         &mut crate::generators::stuck_bit(1, 9, true),
         self_test::SAMPLES,
     );
-    let text = check.verdict(Alarm::OneInBillion).unwrap_err().to_string();
+    let text = test.verdict(Alarm::OneInBillion).unwrap_err().to_string();
     assert!(
         text.starts_with("too uneven, Bits: χ² = 49")
             && text.ends_with("expected 3.3 to 114.7; most of it in cell 9"),

@@ -12,11 +12,11 @@ obtain() {
     valgrind) debian valgrind valgrind ;;
     provers) debian sollya sollya && debian gappa gappa && python ;;
     qemu) debian qemu-system-arm qemu-system-arm; debian qemu-system-riscv32 qemu-system-misc ;;
-    gcc) debian arm-none-eabi-gcc gcc-arm-none-eabi; debian riscv64-unknown-elf-gcc gcc-riscv64-unknown-elf ;;
+    gcc) debian g++ g++; debian pkg-config pkg-config; debian arm-none-eabi-gcc gcc-arm-none-eabi; debian riscv64-unknown-elf-gcc gcc-riscv64-unknown-elf ;;
     s390x)
       debian qemu-s390x qemu-user && debian s390x-linux-gnu-gcc gcc-s390x-linux-gnu libc6-dev-s390x-cross &&
         target s390x-unknown-linux-gnu ;;
-    defmt-print | cbindgen) installed "$1" "$1 --version" ;;
+    defmt-print) installed "$1" "$1 --version" ;;
     cargo-fuzz) installed cargo-fuzz "cargo fuzz --version" ;;
     *) target "$1" ;;
   esac
@@ -59,7 +59,7 @@ msrv() { sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml; }
 install_in_background() { # install_in_background NEED…
   local compiled=() fetched=() need
   for need; do
-    case $need in defmt-print | cbindgen | cargo-fuzz) compiled+=("$need") ;; *) fetched+=("$need") ;; esac
+    case $need in defmt-print | cargo-fuzz) compiled+=("$need") ;; *) fetched+=("$need") ;; esac
   done
   obtain_all "${fetched[@]}" &
   installers+=($!)

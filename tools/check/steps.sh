@@ -2,7 +2,7 @@
 # Steps that hold the same lock run one after the other: they would wait for one build folder, or overwrite
 # each other's images. A need is what tools/check/install.sh obtains; one with ? the step can do without.
 
-boards=qemu?,gcc?,defmt-print?,cbindgen?,thumbv6m-none-eabi?,thumbv7m-none-eabi?,thumbv7em-none-eabihf?,riscv32imc-unknown-none-elf?
+boards=qemu?,gcc?,defmt-print?,thumbv6m-none-eabi?,thumbv7m-none-eabi?,thumbv7em-none-eabi?,thumbv7em-none-eabihf?,riscv32imc-unknown-none-elf?
 #    name                     when  locks          needs             command
 step format                   quick -              format            formats
 step lints                    quick clippy         clippy            lints
@@ -26,6 +26,7 @@ step boards-hashes-planted    full  boards         qemu,thumbv7em-none-eabihf pl
 step lints-firmware           full  lints-firmware $boards,clippy    lints_of_firmware
 step big-endian               full  s390x          s390x             big_endian_in_qemu
 step unoptimised              full  unoptimised    -                 unoptimised
+step figures                  quick -              -                 python3 tools/figures.py --check
 step docs                     quick docs           -                 docs
 step docs-rs                  full  docs-rs        nightly           docs_as_on_docs_rs
 step msrv                     full  msrv           msrv              cargo "+$(msrv)" build --lib --quiet --target-dir target/msrv
@@ -48,15 +49,18 @@ lints() {
   cargo clippy --workspace --all-targets --features "$(all_features)" --quiet -- -D warnings
   cargo clippy --lib --quiet -- -D warnings
 }
-tests() { cargo test --quiet --workspace --features "$(all_features)"; }
-lints_of_firmware() {
-  cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace $(there thumbv6m-none-eabi \
-    thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf) --target-dir target/on_target/lints -- -D warnings
+tests() { cargo test --quiet --no-fail-fast --workspace --features "$(all_features)"; }
+lints_of_firmware() { # one by one, since features of dependencies differ between them
+  local target
+  for target in $(there thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imc-unknown-none-elf); do
+    cargo clippy --quiet --manifest-path examples/firmware/Cargo.toml --workspace "$target" \
+      --target-dir target/on_target/lints -- -D warnings
+  done
 }
-there() { # there TARGET…: --target for those whose core is there
+there() { # there TARGET…: --target=… for those whose core is there
   local target
   for target; do
-    [ -s "$logs/$target.need" ] && echo "SKIPPED: $target: $(<"$logs/$target.need")" >&2 || echo --target "$target"
+    [ -s "$logs/$target.need" ] && echo "SKIPPED: $target: $(<"$logs/$target.need")" >&2 || echo "--target=$target"
   done
 }
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features --quiet; }

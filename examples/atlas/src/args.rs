@@ -43,8 +43,9 @@ pub(crate) enum LawName {
 
 impl LawName {
     /// The command line's spelling.
-    pub(crate) fn figure(self) -> String {
-        self.slug() + ".svg"
+    /// Its figure's file, and its emblem's.
+    pub(crate) fn files(self) -> [String; 2] {
+        [".svg", "-small.svg"].map(|end| self.slug() + end)
     }
 
     pub(crate) fn slug(self) -> String {

@@ -4,6 +4,7 @@
 
 mod args;
 mod catalog;
+mod emblem;
 mod errors;
 mod figure;
 mod lobe;
@@ -36,7 +37,7 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     catalog::check_exponent(args.exponent)?;
     let laws = args.chosen();
-    let figures: Vec<String> = laws.iter().map(|law| law.figure()).collect();
+    let figures: Vec<String> = laws.iter().flat_map(|law| law.files()).collect();
     let names = figures.iter().map(String::as_str);
     let mut folder = Folder::check(&args.out, names.chain([OVERVIEW, PAGE]))?;
 
@@ -63,7 +64,9 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     let entries: Vec<&Entry> = plates.iter().map(|plate| &plate.entry).collect();
     let overview = overview::draw(&entries, args.seed)?;
     for plate in &plates {
-        folder.add(plate.entry.name.figure(), plate.figure.as_str());
+        let [figure, emblem] = plate.entry.name.files();
+        folder.add(figure, plate.figure.as_str());
+        folder.add(emblem, emblem::svg(&plate.entry));
     }
     folder.add(OVERVIEW, overview.as_str());
     folder.add(

@@ -38,8 +38,11 @@ fn writes_a_page_and_its_figures() {
         "overview.svg",
         "sphere-shell.svg",
     ];
+    let (small, mut found): (Vec<_>, Vec<_>) = names(&out)
+        .into_iter()
+        .partition(|name| name.ends_with("-small.svg"));
+    assert_eq!(small.len(), 7);
     let expected: Vec<&str> = figures.iter().copied().chain(["index.html"]).collect();
-    let mut found = names(&out);
     found.sort_by_key(|name| name.ends_with(".html"));
     assert_eq!(found, expected);
 
@@ -102,7 +105,7 @@ fn the_same_seed_gives_the_same_bytes() {
             .collect::<Vec<_>>()
     };
     let once = run("a", "7", "1");
-    assert_eq!(once.len(), 5);
+    assert_eq!(once.len(), 8);
     assert!(once == run("b", "7", "3"), "threads or a second run matter");
     assert!(once != run("c", "8", "1"), "the seed does not matter");
 }
@@ -116,7 +119,13 @@ fn a_second_run_replaces_its_files_and_leaves_others() {
         &scratch.0,
         &["--samples", "1", "--laws", "lambert,lambert", "--out", "."],
     );
-    let expected = ["index.html", "lambert.svg", "mine.txt", "overview.svg"];
+    let expected = [
+        "index.html",
+        "lambert-small.svg",
+        "lambert.svg",
+        "mine.txt",
+        "overview.svg",
+    ];
     assert_eq!(scratch.names(), expected);
     assert_eq!(
         fs::read_to_string(scratch.0.join("mine.txt")).unwrap(),
@@ -216,7 +225,8 @@ fn outputs_are_checked_before_the_work_and_nothing_is_lost() {
         "{message}"
     );
     let out = scratch.0.join("out");
-    assert_eq!(names(&out), ["disk.svg", "index.html", "overview.svg"]);
+    let files = ["disk-small.svg", "disk.svg", "index.html", "overview.svg"];
+    assert_eq!(names(&out), files);
 
     // What is there stays what it is.
     fs::rename(out.join("disk.svg"), scratch.0.join("mine.svg")).unwrap();

@@ -12,7 +12,7 @@ fn main() {
         Path::new(&out).join("calls.rs"),
         format!(
             "#[allow(unused_imports)] // which ones, the calls decide\n\
-             use {{crate::operations::*, coslobe::*, scenes::*}};\n\
+             use {{links::operations::*, coslobe::*, scenes::*}};\n\
              #[allow(unused_variables)]\n\
              pub(crate) fn calls(x: u32, rng: &mut Words) -> u32 {{\n    {calls}\n}}\n"
         ),

@@ -1,13 +1,11 @@
 //! The promises of every law, for any exponent.
 
-use super::float::{Float, pair_at};
-use super::input::Words;
+use super::input::{Words, both, pair_at, unit};
 use super::measure::{assert_close, context};
-use super::samples::Drawn;
 use super::{densities, quantiles, samples, warps};
-use coslobe::{
-    Ball, CosPower, CosSin, ExponentError, Fast, Lambert, Law, Precise, Spatial, SphereShell,
-};
+use coslobe::{CosPower, CosSin, ExponentError, Law, Spatial};
+use kit::catalogue::{every_law, every_number};
+use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A law of its own type against `CosPower` at its exponent.
@@ -17,14 +15,10 @@ const REFERENCE_ULP: f64 = 4.0;
 
 /// Words: k; θ or cos θ; sin θ or a probability; a second one. The whole input is the generator.
 pub fn check(data: &[u8]) {
-    all::<f32>(data);
-    all::<f64>(data);
-    all::<Precise<f32>>(data);
-    all::<Precise<f64>>(data);
-    all::<Fast<f32>>(data);
+    every_number(&mut Check(data));
     let mut words = Words::new(data);
-    let ks = f32::both(words.word(), 0.0, 1e4);
-    let thetas = f32::both(words.word(), 0.0, FRAC_PI_2);
+    let ks = both::<f32>(words.word(), 0.0, 1e4);
+    let thetas = both::<f32>(words.word(), 0.0, FRAC_PI_2);
     for law in ks.into_iter().filter_map(law) {
         for theta in thetas {
             reference(&law, theta);
@@ -32,24 +26,32 @@ pub fn check(data: &[u8]) {
     }
 }
 
-fn all<T: Float + Drawn>(data: &[u8]) {
+struct Check<'a>(&'a [u8]);
+
+impl NumberVisitor for Check<'_> {
+    fn number<T: Number>(&mut self) {
+        all::<T>(self.0);
+    }
+}
+
+fn all<T: Number>(data: &[u8]) {
     let mut words = Words::new(data);
-    let [bits, even] = T::both(words.word(), 0.0, 64.0);
+    let [bits, even] = both::<T>(words.word(), 0.0, 64.0);
     let (a, b, c) = (words.word(), words.word(), words.word());
     for k in [bits, even] {
         let Some(law) = law(k) else { continue };
-        for theta in T::both(a, -0.1, 1.6) {
+        for theta in both::<T>(a, -0.1, 1.6) {
             densities::spatial(&law, theta, false);
         }
         let any = CosSin {
-            cos: T::from_word(a),
-            sin: T::from_word(b),
+            cos: T::of_bits(a),
+            sin: T::of_bits(b),
         };
-        let angle = FRAC_PI_2 * T::unit(b).wide();
+        let angle = FRAC_PI_2 * unit::<T>(b).wide();
         for at in [any, pair_at(angle), pair_at(-angle)] {
             densities::spatial_pair(&law, at);
         }
-        let (p, q) = (T::both(b, 0.0, 1.0), T::both(c, 0.0, 1.0));
+        let (p, q) = (both::<T>(b, 0.0, 1.0), both::<T>(c, 0.0, 1.0));
         for (p, q) in [(p[0], q[0]), (p[1], q[1]), (p[0], q[1])] {
             quantiles::spatial(&law, p, q);
             warps::spatial(&law, p, q);
@@ -57,16 +59,28 @@ fn all<T: Float + Drawn>(data: &[u8]) {
         samples::spatial(&law, data);
         moments(&law);
     }
-    let angle = FRAC_PI_2 * T::unit(a).wide();
-    agrees(&Lambert, 1.0, pair_at::<T>(angle), T::narrow(angle));
-    agrees(&SphereShell, 2.0, pair_at::<T>(angle), T::narrow(angle));
-    agrees(&Ball, 3.0, pair_at::<T>(angle), T::narrow(angle));
+    let angle = FRAC_PI_2 * unit::<T>(a).wide();
+    let (at, theta) = (pair_at(angle), T::of(angle));
+    every_law::<T>(&mut Own { at, theta }, &[]);
+}
+
+/// A law of its own type, at a direction and its angle.
+struct Own<T> {
+    at: CosSin<T>,
+    theta: T,
+}
+
+impl<T: Number> LawVisitor<T> for Own<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, _: L) {}
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        agrees(&law, id.exponent(), self.at, self.theta);
+    }
 }
 
 /// `f32` against the formula in `f64`, whose 29 more bits outlast any k that leaves cosᵏθ normal.
 fn reference(law: &CosPower<f32>, theta: f32) {
     let (k, x) = (law.exponent().wide(), theta.wide());
-    if !(x >= 0.0 && theta <= f32::END) {
+    if !(x >= 0.0 && theta <= <f32 as Number>::END) {
         return;
     }
     let ln_cos = if x < 0.5 {
@@ -82,14 +96,14 @@ fn reference(law: &CosPower<f32>, theta: f32) {
         (law.cdf(theta), -((k + 1.0) * ln_cos).exp_m1()),
     ];
     for (value, exact) in pairs {
-        if exact >= f32::NORMAL {
+        if exact >= f32::SMALLEST.wide() {
             assert_close::<f32>(value.wide(), exact, REFERENCE_ULP, "CosPower against f64");
         }
     }
 }
 
 /// CosPower::new takes exactly what it says.
-fn law<T: Float>(k: T) -> Option<CosPower<T>> {
+fn law<T: Number>(k: T) -> Option<CosPower<T>> {
     let x = k.wide();
     let expected = if x.is_nan() {
         Err(ExponentError::NotANumber)
@@ -106,7 +120,7 @@ fn law<T: Float>(k: T) -> Option<CosPower<T>> {
 }
 
 /// Finite, and in the ranges that any direction above the horizon keeps to.
-fn moments<T: Float>(law: &CosPower<T>) {
+fn moments<T: Number>(law: &CosPower<T>) {
     let m = law.moments();
     let values = [m.mean_cos, m.var_cos, m.mean_theta, m.var_theta, m.entropy].map(T::wide);
     assert!(values.iter().all(|v| v.is_finite()), "{m:?} of {law:?}");
@@ -118,9 +132,9 @@ fn moments<T: Float>(law: &CosPower<T>) {
     assert!((0.0..FRAC_PI_2).contains(&mean_theta), "{m:?} of {law:?}");
 }
 
-fn agrees<T: Float, L: Spatial<T>>(law: &L, k: f64, at: CosSin<T>, theta: T) {
+fn agrees<T: Number, L: Spatial<T>>(law: &L, k: f64, at: CosSin<T>, theta: T) {
     let _context = context::<T, L>();
-    let power = CosPower::new(T::narrow(k)).expect("a finite exponent ≥ 0");
+    let power = CosPower::new(T::of(k)).expect("a finite exponent ≥ 0");
     let pairs = [
         (power.pdf(theta), law.pdf(theta)),
         (power.cdf(theta), law.cdf(theta)),

@@ -1,12 +1,10 @@
 //! Densities and distribution functions, at any bits.
 
-use super::float::{Float, pair_at};
-use super::input::Words;
+use super::input::{Words, both, pair_at, unit};
 use super::measure::{assert_close, assert_positive_or_zero, context};
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Law, Planar, Precise, Spatial,
-    SphereShell,
-};
+use coslobe::{CosSin, Law, Planar, Spatial};
+use kit::catalogue::{every_law, every_number};
+use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// ln p against the logarithm of p, in ulp of 1 + |ln p|, and so e^(ln p) against p.
@@ -25,57 +23,73 @@ const WEIGHT_ULP: f64 = 12.0;
 
 /// Words: θ, or a pair's cos; its sin.
 pub fn check(data: &[u8]) {
-    all::<f32>(Words::new(data));
-    all::<f64>(Words::new(data));
-    all::<Precise<f32>>(Words::new(data));
-    all::<Precise<f64>>(Words::new(data));
-    all::<Fast<f32>>(Words::new(data));
+    every_number(&mut Check(data));
 }
 
-fn all<T: Float>(mut words: Words) {
+struct Check<'a>(&'a [u8]);
+
+impl NumberVisitor for Check<'_> {
+    fn number<T: Number>(&mut self) {
+        all::<T>(Words::new(self.0));
+    }
+}
+
+fn all<T: Number>(mut words: Words) {
     let (a, b) = (words.word(), words.word());
-    for theta in T::both(a, -1.6, 1.6) {
-        planar(&Disk, theta);
-        planar(&CircleShell, theta);
-        planar(&CircleArc, theta);
-        spatial(&Ball, theta, true);
-        spatial(&SphereShell, theta, true);
-        spatial(&Lambert, theta, true);
+    for theta in both::<T>(a, -1.6, 1.6) {
+        every_law(&mut Theta(theta), &[]);
     }
     let at = CosSin {
-        cos: T::from_word(a),
-        sin: T::from_word(b),
+        cos: T::of_bits(a),
+        sin: T::of_bits(b),
     };
-    let angle = FRAC_PI_2 * T::unit(a).wide();
+    let angle = FRAC_PI_2 * unit::<T>(a).wide();
     for at in [at, pair_at(angle), pair_at(-angle)] {
-        planar_pair(&Disk, at);
-        planar_pair(&CircleShell, at);
-        planar_pair(&CircleArc, at);
-        spatial_pair(&Ball, at);
-        spatial_pair(&SphereShell, at);
-        spatial_pair(&Lambert, at);
+        every_law(&mut Pair(at), &[]);
     }
 }
 
-fn planar<T: Float, L: Planar<T>>(law: &L, theta: T) {
+struct Theta<T>(T);
+
+impl<T: Number> LawVisitor<T> for Theta<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        planar(&law, self.0);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        spatial(&law, self.0, true);
+    }
+}
+
+struct Pair<T>(CosSin<T>);
+
+impl<T: Number> LawVisitor<T> for Pair<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        planar_pair(&law, self.0);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        spatial_pair(&law, self.0);
+    }
+}
+
+fn planar<T: Number, L: Planar<T>>(law: &L, theta: T) {
     let _context = context::<T, L>();
     let inside = theta >= -T::END && theta <= T::END;
     line(law, theta, inside, true);
     if theta.nan() {
         return;
     }
-    assert_eq!(law.pdf(theta).word(), law.pdf(-theta).word(), "odd pdf");
+    assert_eq!(law.pdf(theta).bits(), law.pdf(-theta).bits(), "odd pdf");
     if theta.wide() != 0.0 {
         assert_eq!(
-            law.cdf(theta).word(),
-            law.sf(-theta).word(),
+            law.cdf(theta).bits(),
+            law.sf(-theta).bits(),
             "cdf(θ) ≠ sf(−θ)"
         );
     }
 }
 
 /// `strict`: the density itself cannot underflow, whatever θ.
-pub fn spatial<T: Float, L: Spatial<T>>(law: &L, theta: T, strict: bool) {
+pub fn spatial<T: Number, L: Spatial<T>>(law: &L, theta: T, strict: bool) {
     let _context = context::<T, L>();
     let inside = theta.wide() >= 0.0 && theta <= T::END;
     line(law, theta, inside, strict);
@@ -88,13 +102,13 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, theta: T, strict: bool) {
     assert!(p.wide() < f64::INFINITY && (inside || p.wide() == 0.0));
     assert!(!strict || inside == (p.wide() > 0.0));
     let product = p.wide() * theta.wide().sin().abs();
-    if inside && p.wide() >= T::NORMAL && product >= T::NORMAL {
+    if inside && p.wide() >= T::SMALLEST.wide() && product >= T::SMALLEST.wide() {
         assert_close::<T>(law.pdf(theta).wide(), product, MEASURE_ULP, "pdf");
     }
 }
 
 /// What holds for every law on the line of θ.
-fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
+fn line<T: Number, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
     let (p, ln_p) = (law.pdf(theta), law.ln_pdf(theta));
     let (cdf, sf) = (law.cdf(theta), law.sf(theta));
     let tails = law.tails(theta);
@@ -106,8 +120,8 @@ fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
     assert_positive_or_zero(p, "pdf");
     assert!(!ln_p.nan());
     assert_eq!(
-        [cdf.word(), sf.word()],
-        [tails.lower(), tails.upper()].map(T::word)
+        [cdf.bits(), sf.bits()],
+        [tails.lower(), tails.upper()].map(T::bits)
     );
     for tail in [cdf, sf] {
         assert_positive_or_zero(tail, "tail");
@@ -131,7 +145,7 @@ fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
     // Only q at the axis is zero inside; any other zero is an underflow, which ln_pdf has to show.
     assert!(!strict || theta.wide() == 0.0 || log > -f64::INFINITY);
     assert!(p.wide() == 0.0 || log > -f64::INFINITY);
-    if p.wide() >= T::NORMAL {
+    if p.wide() >= T::SMALLEST.wide() {
         // Relative to the largest term of the sum, here at most ln of the largest density.
         let largest = 1.0 + log.abs();
         let error = (log - p.wide().ln()).abs() / (T::ULP * largest);
@@ -143,16 +157,16 @@ fn line<T: Float, L: Law<T>>(law: &L, theta: T, inside: bool, strict: bool) {
     assert_close::<T>(cdf.wide() + sf.wide(), 1.0, SUM_ULP, "cdf + sf");
     let next = law.tails(theta.above());
     let slack = STEP_ULP * T::ULP;
-    let falls = |a: T, b: T| b.wide() < a.wide() * (1.0 - slack) - 2.0 * T::SMALLEST;
+    let falls = |a: T, b: T| b.wide() < a.wide() * (1.0 - slack) - 2.0 * T::LEAST_STEP;
     assert!(!falls(cdf, next.lower()), "cdf falls at θ = {theta:?}");
     assert!(!falls(next.upper(), sf), "sf rises at θ = {theta:?}");
 }
 
-fn planar_pair<T: Float, L: Planar<T>>(law: &L, at: CosSin<T>) {
+fn planar_pair<T: Number, L: Planar<T>>(law: &L, at: CosSin<T>) {
     pair(law, at, at.cos.wide() >= 0.0, 0.5);
 }
 
-pub fn spatial_pair<T: Float, L: Spatial<T>>(law: &L, at: CosSin<T>) {
+pub fn spatial_pair<T: Number, L: Spatial<T>>(law: &L, at: CosSin<T>) {
     pair(
         law,
         at,
@@ -162,7 +176,7 @@ pub fn spatial_pair<T: Float, L: Spatial<T>>(law: &L, at: CosSin<T>) {
 }
 
 /// At any pair, of unit length or not. `flat` times cos θ is Lambert's reflected radiance.
-fn pair<T: Float, L: Law<T>>(law: &L, at: CosSin<T>, inside: bool, flat: f64) {
+fn pair<T: Number, L: Law<T>>(law: &L, at: CosSin<T>, inside: bool, flat: f64) {
     let _context = context::<T, L>();
     let nan = at.cos.nan() || at.sin.nan();
     let (p, weight) = (law.density(at), law.lambert_weight(at));
@@ -192,7 +206,7 @@ fn pair<T: Float, L: Law<T>>(law: &L, at: CosSin<T>, inside: bool, flat: f64) {
         assert!(tail.wide() <= 1.0, "unwarp {tail:?} at {at:?}");
     }
     let radiance = flat * at.cos.wide();
-    let normal = T::NORMAL..f64::INFINITY;
+    let normal = T::SMALLEST.wide()..f64::INFINITY;
     if [p.wide(), weight.wide(), radiance]
         .iter()
         .all(|v| normal.contains(v))

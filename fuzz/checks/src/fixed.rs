@@ -2,8 +2,9 @@
 
 use super::input::Words;
 use coslobe::fixed::{CosPower, FixedLaw, cos_sin};
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
+use coslobe::{CosSin, Fixed};
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 
 /// The promise: a unit vector to 4 units of Q31.
 const UNITS: f64 = 4.0;
@@ -16,17 +17,24 @@ pub fn check(data: &[u8]) {
     let mut words = Words::new(data);
     let (a, b) = (words.word(), words.word());
     let k = U16F16::from_bits(words.word() as u32);
-    law(Fixed(Disk), a, b, data);
-    law(Fixed(CircleShell), a, b, data);
-    law(Fixed(CircleArc), a, b, data);
-    law(Fixed(Ball), a, b, data);
-    law(Fixed(SphereShell), a, b, data);
-    law(Fixed(Lambert), a, b, data);
+    every_integer_law(&mut Check { a, b, data });
     law(Fixed(CosPower::new(k)), a, b, data);
     unit([
         cos_sin(I0F32::from_bits(a as i32)).cos,
         cos_sin(I0F32::from_bits(a as i32)).sin,
     ]);
+}
+
+struct Check<'a> {
+    a: u64,
+    b: u64,
+    data: &'a [u8],
+}
+
+impl IntegerVisitor for Check<'_> {
+    fn law<L: IntegerLaw>(&mut self, l: L) {
+        law(Fixed(l), self.a, self.b, self.data);
+    }
 }
 
 fn unit<const N: usize>(direction: [I1F31; N]) {

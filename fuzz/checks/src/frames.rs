@@ -1,9 +1,10 @@
 //! Frames around any vector.
 
-use super::float::Float;
-use super::input::Words;
+use super::input::{Words, both};
 use super::measure::assert_unit;
-use coslobe::{Fast, Frame, Lambert, NormalError, Precise, Spatial};
+use coslobe::{Frame, Lambert, NormalError, Spatial};
+use kit::catalogue::every_number;
+use kit::{Number, NumberVisitor};
 
 /// Axes from `Frame::new`, whose normal is itself rounded: lengths and dot products, in ulp of 1.
 const AXES_ULP: f64 = 8.0;
@@ -12,15 +13,19 @@ const ROUND_TRIP_ULP: f64 = 16.0;
 
 /// Words: x, y, z of the normal; then the generator of a direction.
 pub fn check(data: &[u8]) {
-    all::<f32>(Words::new(data));
-    all::<f64>(Words::new(data));
-    all::<Precise<f32>>(Words::new(data));
-    all::<Precise<f64>>(Words::new(data));
-    all::<Fast<f32>>(Words::new(data));
+    every_number(&mut Check(data));
 }
 
-fn all<T: Float>(mut words: Words) {
-    let sides = [words.word(), words.word(), words.word()].map(|w| T::both(w, -1.0, 1.0));
+struct Check<'a>(&'a [u8]);
+
+impl NumberVisitor for Check<'_> {
+    fn number<T: Number>(&mut self) {
+        all::<T>(Words::new(self.0));
+    }
+}
+
+fn all<T: Number>(mut words: Words) {
+    let sides = [words.word(), words.word(), words.word()].map(|w| both::<T>(w, -1.0, 1.0));
     let [x, y, z] = sides;
     for normal in [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[0], y[1], z[0]]] {
         frame(normal, words.clone());
@@ -29,7 +34,7 @@ fn all<T: Float>(mut words: Words) {
     let _ = Frame::from_unit(sides.map(|s| s[0])).to_world(sides.map(|s| s[1]));
 }
 
-fn frame<T: Float>(normal: [T; 3], mut words: Words) {
+fn frame<T: Number>(normal: [T; 3], mut words: Words) {
     let wide = normal.map(T::wide);
     let expected = if wide.iter().any(|c| !c.is_finite()) {
         Some(NormalError::NotFinite)

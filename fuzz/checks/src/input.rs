@@ -1,6 +1,8 @@
 //! The fuzzer's bytes as numbers and as a generator.
 
+use coslobe::CosSin;
 use coslobe::rand_core::TryRng;
+use kit::{Drawn, Number};
 use std::convert::Infallible;
 
 /// Little-endian words of the input, cycling through it; an empty input is all zeros.
@@ -11,7 +13,7 @@ pub(super) struct Words<'a> {
     data: &'a [u8],
     at: usize,
     /// Calls of `next_u32` and of `next_u64`.
-    pub drawn: [u32; 2],
+    pub drawn: Drawn,
 }
 
 impl<'a> Words<'a> {
@@ -19,7 +21,7 @@ impl<'a> Words<'a> {
         Words {
             data,
             at: 0,
-            drawn: [0; 2],
+            drawn: (0, 0),
         }
     }
 
@@ -41,16 +43,35 @@ impl TryRng for Words<'_> {
     type Error = Infallible;
 
     fn try_next_u32(&mut self) -> Result<u32, Infallible> {
-        self.drawn[0] += 1;
+        self.drawn.0 += 1;
         Ok(u32::from_le_bytes(self.bytes()))
     }
 
     fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        self.drawn[1] += 1;
+        self.drawn.1 += 1;
         Ok(self.word())
     }
 
     fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
         panic!("no sampler is documented to call fill_bytes");
+    }
+}
+
+/// A number in [0, 1], evenly spread.
+pub(super) fn unit<T: Number>(word: u64) -> T {
+    T::of(word as f64 * 2f64.powi(-64))
+}
+
+/// The word read both ways: as bits, and as an even spread over [low, high].
+pub(super) fn both<T: Number>(word: u64, low: f64, high: f64) -> [T; 2] {
+    let spread = low + (high - low) * unit::<T>(word).wide();
+    [T::of_bits(word), T::of(spread)]
+}
+
+/// The pair at θ to about an ulp, from the standard library.
+pub(super) fn pair_at<T: Number>(theta: f64) -> CosSin<T> {
+    CosSin {
+        cos: T::of(theta.cos()),
+        sin: T::of(theta.sin()),
     }
 }

@@ -14,6 +14,5 @@ pub mod scene;
 pub mod warps;
 pub mod weights;
 
-mod float;
 mod input;
 mod measure;

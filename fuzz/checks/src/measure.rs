@@ -1,11 +1,11 @@
 //! Comparisons.
 
-use super::float::Float;
+use kit::Number;
 
 /// |a − b| within `ulps` units of the format relative to b, or two of its smallest numbers.
 #[track_caller]
-pub(super) fn assert_close<T: Float>(a: f64, b: f64, ulps: f64, what: &str) {
-    let slack = ulps * T::ULP * b.abs() + 2.0 * T::SMALLEST;
+pub(super) fn assert_close<T: Number>(a: f64, b: f64, ulps: f64, what: &str) {
+    let slack = ulps * T::ULP * b.abs() + 2.0 * T::LEAST_STEP;
     assert!(
         a == b || (a - b).abs() <= slack,
         "{what}: {a:?} is not within {ulps} ulp of {b:?}"
@@ -27,7 +27,7 @@ fn norm_excess(v: &[f64]) -> f64 {
 
 /// The length of `v` is 1 to `ulps` units of 1.
 #[track_caller]
-pub(super) fn assert_unit<T: Float, const N: usize>(v: [T; N], ulps: f64) {
+pub(super) fn assert_unit<T: Number, const N: usize>(v: [T; N], ulps: f64) {
     // |v|² − 1 is twice |v| − 1 to first order.
     let excess = norm_excess(&v.map(T::wide)) / 2.0;
     assert!(
@@ -39,7 +39,7 @@ pub(super) fn assert_unit<T: Float, const N: usize>(v: [T; N], ulps: f64) {
 
 /// Not NaN, and not below zero (nor −0).
 #[track_caller]
-pub(super) fn assert_positive_or_zero<T: Float>(x: T, what: &str) {
+pub(super) fn assert_positive_or_zero<T: Number>(x: T, what: &str) {
     assert!(!x.nan() && !x.negative(), "{what} is {x:?}");
 }
 
@@ -55,6 +55,6 @@ impl Drop for Context {
 }
 
 /// Held while a law is checked.
-pub(super) fn context<T: Float, L>() -> Context {
+pub(super) fn context<T: Number, L>() -> Context {
     Context(std::any::type_name::<(L, T)>)
 }

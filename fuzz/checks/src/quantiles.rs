@@ -1,12 +1,10 @@
 //! Quantiles against their distribution functions, at any bits.
 
-use super::float::Float;
-use super::input::Words;
+use super::input::{Words, both};
 use super::measure::{assert_close, context};
-use coslobe::{
-    Ball, CircleArc, CircleShell, Disk, Fast, Lambert, Law, Planar, Precise, Spatial, SphereShell,
-    Tails,
-};
+use coslobe::{Law, Planar, Spatial, Tails};
+use kit::catalogue::{every_law, every_number};
+use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 
 /// F(q − so many ulp) ≤ p ≤ F(q + so many): the plain tier's bound for a quantile.
 const BRACKET_STEPS: u32 = 4;
@@ -20,49 +18,59 @@ const ORDER_ULP: f64 = 4.0;
 
 /// Words: two probabilities.
 pub fn check(data: &[u8]) {
-    all::<f32>(Words::new(data));
-    all::<f64>(Words::new(data));
-    all::<Precise<f32>>(Words::new(data));
-    all::<Precise<f64>>(Words::new(data));
-    all::<Fast<f32>>(Words::new(data));
+    every_number(&mut Check(data));
 }
 
-fn all<T: Float>(mut words: Words) {
-    let a = T::both(words.word(), 0.0, 1.0);
-    let b = T::both(words.word(), 0.0, 1.0);
+struct Check<'a>(&'a [u8]);
+
+impl NumberVisitor for Check<'_> {
+    fn number<T: Number>(&mut self) {
+        all::<T>(Words::new(self.0));
+    }
+}
+
+fn all<T: Number>(mut words: Words) {
+    let a = both::<T>(words.word(), 0.0, 1.0);
+    let b = both::<T>(words.word(), 0.0, 1.0);
     for (a, b) in [
         (a[0], b[0]),
         (a[1], b[1]),
         (a[0], a[1]),
         (a[1], a[1].above()),
     ] {
-        planar(&Disk, a, b);
-        planar(&CircleShell, a, b);
-        planar(&CircleArc, a, b);
-        spatial(&Ball, a, b);
-        spatial(&SphereShell, a, b);
-        spatial(&Lambert, a, b);
+        every_law(&mut Probabilities(a, b), &[]);
     }
 }
 
-fn planar<T: Float, L: Planar<T>>(law: &L, a: T, b: T) {
+struct Probabilities<T>(T, T);
+
+impl<T: Number> LawVisitor<T> for Probabilities<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        planar(&law, self.0, self.1);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        spatial(&law, self.0, self.1);
+    }
+}
+
+fn planar<T: Number, L: Planar<T>>(law: &L, a: T, b: T) {
     let _context = context::<T, L>();
     line(law, a, b, -T::END);
     let (q, mirrored) = (law.quantile(a), law.isf(a));
     // At p = ½ both are +0.
     let zeros = q.wide() == 0.0 && mirrored.wide() == 0.0;
     assert!(
-        q.nan() || zeros || q.word() == (-mirrored).word(),
+        q.nan() || zeros || q.bits() == (-mirrored).bits(),
         "quantile({a:?}) = {q:?}, isf = {mirrored:?}"
     );
 }
 
-pub fn spatial<T: Float, L: Spatial<T>>(law: &L, a: T, b: T) {
+pub fn spatial<T: Number, L: Spatial<T>>(law: &L, a: T, b: T) {
     let _context = context::<T, L>();
-    line(law, a, b, T::narrow(0.0));
+    line(law, a, b, T::of(0.0));
 }
 
-fn line<T: Float, L: Law<T>>(law: &L, a: T, b: T, start: T) {
+fn line<T: Number, L: Law<T>>(law: &L, a: T, b: T, start: T) {
     let domain = |p: T| p.wide() >= 0.0 && p.wide() <= 1.0;
     for p in [a, b] {
         let (q, isf) = (law.quantile(p), law.isf(p));
@@ -93,7 +101,7 @@ fn line<T: Float, L: Law<T>>(law: &L, a: T, b: T, start: T) {
     }
 }
 
-fn around<T: Float>(theta: T) -> [T; 2] {
+fn around<T: Number>(theta: T) -> [T; 2] {
     let steps = 0..BRACKET_STEPS;
     [
         steps.clone().fold(theta, |theta, _| theta.below()),
@@ -102,10 +110,10 @@ fn around<T: Float>(theta: T) -> [T; 2] {
 }
 
 #[track_caller]
-fn bracket<T: Float>(p: T, before: T, after: T, at: T) {
+fn bracket<T: Number>(p: T, before: T, after: T, at: T) {
     let slack = BRACKET_ULP * T::ULP;
     let (low, high) = (before.wide() * (1.0 - slack), after.wide() * (1.0 + slack));
-    let inside = low - 2.0 * T::SMALLEST <= p.wide() && p.wide() <= high + 2.0 * T::SMALLEST;
+    let inside = low - 2.0 * T::LEAST_STEP <= p.wide() && p.wide() <= high + 2.0 * T::LEAST_STEP;
     assert!(
         inside,
         "p = {p:?} is not within [{before:?}, {after:?}], θ = {at:?}"
@@ -113,7 +121,7 @@ fn bracket<T: Float>(p: T, before: T, after: T, at: T) {
 }
 
 #[track_caller]
-fn round_trip<T: Float, L: Law<T>>(law: &L, p: Tails<T>) {
+fn round_trip<T: Number, L: Law<T>>(law: &L, p: Tails<T>) {
     let back = law.unwarp_tails(law.warp_tails(p));
     let nearer = if p.upper() <= p.lower() {
         [p, back].map(Tails::upper)
@@ -121,14 +129,14 @@ fn round_trip<T: Float, L: Law<T>>(law: &L, p: Tails<T>) {
         [p, back].map(Tails::lower)
     };
     let [p, back] = nearer.map(T::wide);
-    let units = 1.0 + p.max(T::SMALLEST).ln().abs();
+    let units = 1.0 + p.max(T::LEAST_STEP).ln().abs();
     assert_close::<T>(back, p, ROUND_TRIP_ULP * units, "unwarp(warp(p))");
 }
 
 #[track_caller]
-fn ordered<T: Float>(low: T, high: T) {
+fn ordered<T: Number>(low: T, high: T) {
     let size = low.wide().abs().max(high.wide().abs());
-    let slack = ORDER_ULP * T::ULP * size + 2.0 * T::SMALLEST;
+    let slack = ORDER_ULP * T::ULP * size + 2.0 * T::LEAST_STEP;
     assert!(
         low.wide() <= high.wide() + slack,
         "{low:?} comes after {high:?}"

@@ -1,12 +1,10 @@
 //! Warps: from probabilities to directions and back.
 
-use super::float::Float;
-use super::input::Words;
+use super::input::{Words, both};
 use super::measure::{assert_close, assert_positive_or_zero, assert_unit, context};
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosSin, Disk, Fast, Lambert, Planar, Precise, Spatial,
-    SphereShell,
-};
+use coslobe::{CosSin, Planar, Spatial};
+use kit::catalogue::{every_law, every_number};
+use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 
 /// The promise: a unit vector to 2 ulp of 1.
 const UNIT_ULP: f64 = 2.0;
@@ -20,43 +18,63 @@ const SHORT: f64 = 1e3;
 
 /// Words: cdf of θ, or y; azimuth in turns, or x; z.
 pub fn check(data: &[u8]) {
-    all::<f32>(Words::new(data));
-    all::<f64>(Words::new(data));
-    all::<Precise<f32>>(Words::new(data));
-    all::<Precise<f64>>(Words::new(data));
-    all::<Fast<f32>>(Words::new(data));
+    every_number(&mut Check(data));
 }
 
-fn all<T: Float>(mut words: Words) {
-    let us = T::both(words.word(), 0.0, 1.0);
-    let turns = T::both(words.word(), 0.0, 1.0);
-    let zs = T::both(words.word(), -1.0, 1.0);
+struct Check<'a>(&'a [u8]);
+
+impl NumberVisitor for Check<'_> {
+    fn number<T: Number>(&mut self) {
+        all::<T>(Words::new(self.0));
+    }
+}
+
+fn all<T: Number>(mut words: Words) {
+    let us = both::<T>(words.word(), 0.0, 1.0);
+    let turns = both::<T>(words.word(), 0.0, 1.0);
+    let zs = both::<T>(words.word(), -1.0, 1.0);
     for (x, z) in [(turns[0], zs[0]), (-turns[1], zs[0]), (turns[1], zs[1])] {
-        back(&Ball, [x, us[1], z]);
-        back(&SphereShell, [x, us[1], z]);
-        back(&Lambert, [x, us[1], z]);
+        every_law(&mut Back([x, us[1], z]), &[]);
     }
     for (u, turn) in [(us[0], turns[0]), (us[1], turns[1]), (us[0], turns[1])] {
-        planar(&Disk, u);
-        planar(&CircleShell, u);
-        planar(&CircleArc, u);
-        spatial(&Ball, u, turn);
-        spatial(&SphereShell, u, turn);
-        spatial(&Lambert, u, turn);
+        every_law(&mut Warped { u, turn }, &[]);
     }
 }
 
-fn domain<T: Float>(u: T) -> bool {
+struct Back<T>([T; 3]);
+
+impl<T: Number> LawVisitor<T> for Back<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, _: L) {}
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        back(&law, self.0);
+    }
+}
+
+struct Warped<T> {
+    u: T,
+    turn: T,
+}
+
+impl<T: Number> LawVisitor<T> for Warped<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        planar(&law, self.u);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        spatial(&law, self.u, self.turn);
+    }
+}
+
+fn domain<T: Number>(u: T) -> bool {
     u.wide() >= 0.0 && u.wide() <= 1.0
 }
 
-fn planar<T: Float, L: Planar<T>>(law: &L, u: T) {
+fn planar<T: Number, L: Planar<T>>(law: &L, u: T) {
     let _context = context::<T, L>();
     pair(law.warp(u), u);
     pair(law.warp_sf(u), u);
     if domain(u) && u.wide() != 0.5 {
         let (sin, mirrored) = (law.warp(u).sin, law.warp_sf(u).sin);
-        assert_eq!(sin.word(), (-mirrored).word(), "not odd at u = {u:?}");
+        assert_eq!(sin.bits(), (-mirrored).bits(), "not odd at u = {u:?}");
         assert_eq!(
             sin.negative(),
             u.wide() < 0.5,
@@ -65,7 +83,7 @@ fn planar<T: Float, L: Planar<T>>(law: &L, u: T) {
     }
 }
 
-pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
+pub fn spatial<T: Number, L: Spatial<T>>(law: &L, u: T, turn: T) {
     let _context = context::<T, L>();
     for at in [law.warp(u), law.warp_sf(u)] {
         pair(at, u);
@@ -85,10 +103,10 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
         domain(back) && domain(back_turn) && back_turn.wide() < 1.0,
         "{back:?}, {back_turn:?}"
     );
-    let long = d[0].wide().hypot(d[2].wide()) > SHORT * T::NORMAL;
+    let long = d[0].wide().hypot(d[2].wide()) > SHORT * T::SMALLEST.wide();
     // The nearer tail holds the digits; a number near 1 holds the farther one to an ulp of 1 only.
     let nearer = u.wide().min(1.0 - u.wide());
-    let units = ROUND_TRIP_ULP * (1.0 + nearer.max(T::SMALLEST).ln().abs());
+    let units = ROUND_TRIP_ULP * (1.0 + nearer.max(T::LEAST_STEP).ln().abs());
     if u.wide() > 0.5 {
         let slack = T::ULP * (1.0 + units * nearer);
         let apart = (u.wide() - back.wide()).abs();
@@ -107,7 +125,7 @@ pub fn spatial<T: Float, L: Spatial<T>>(law: &L, u: T, turn: T) {
 }
 
 /// The azimuth of any direction, of unit length or not, is in [0, 1).
-fn back<T: Float, L: Spatial<T>>(law: &L, d: [T; 3]) {
+fn back<T: Number, L: Spatial<T>>(law: &L, d: [T; 3]) {
     let _context = context::<T, L>();
     let [_, turn] = law.unwarp_direction(d);
     if d.iter().any(|c| c.nan()) {
@@ -118,7 +136,7 @@ fn back<T: Float, L: Spatial<T>>(law: &L, d: [T; 3]) {
     assert!(turn.wide() < 1.0, "azimuth {turn:?} of {d:?}");
 }
 
-fn pair<T: Float>(at: CosSin<T>, u: T) {
+fn pair<T: Number>(at: CosSin<T>, u: T) {
     if !domain(u) {
         assert!(at.cos.nan() && at.sin.nan(), "{at:?} at u = {u:?}");
         return;

@@ -1,8 +1,9 @@
 //! Weights of multiple importance sampling, at any bits.
 
-use super::float::Float;
-use super::input::Words;
-use coslobe::{Fast, Precise, balance_heuristic, power_heuristic};
+use super::input::{Words, both};
+use coslobe::{balance_heuristic, power_heuristic};
+use kit::catalogue::every_number;
+use kit::{Number, NumberVisitor};
 
 /// w(a, b) + w(b, a) against 1.
 const SUM_ULP: f64 = 4.0;
@@ -11,16 +12,20 @@ const VALUE_ULP: f64 = 6.0;
 
 /// Words: two densities. (`lambert_weight` is checked with the densities, which define it.)
 pub fn check(data: &[u8]) {
-    all::<f32>(Words::new(data));
-    all::<f64>(Words::new(data));
-    all::<Precise<f32>>(Words::new(data));
-    all::<Precise<f64>>(Words::new(data));
-    all::<Fast<f32>>(Words::new(data));
+    every_number(&mut Check(data));
 }
 
-fn all<T: Float>(mut words: Words) {
-    let a = T::both(words.word(), 0.0, 2.0);
-    let b = T::both(words.word(), 0.0, 2.0);
+struct Check<'a>(&'a [u8]);
+
+impl NumberVisitor for Check<'_> {
+    fn number<T: Number>(&mut self) {
+        all::<T>(Words::new(self.0));
+    }
+}
+
+fn all<T: Number>(mut words: Words) {
+    let a = both::<T>(words.word(), 0.0, 2.0);
+    let b = both::<T>(words.word(), 0.0, 2.0);
     for (a, b) in [(a[0], b[0]), (a[1], b[1]), (a[0], a[0]), (a[0], b[1])] {
         heuristic(balance_heuristic, a, b, |ratio| ratio);
         heuristic(power_heuristic, a, b, |ratio| ratio * ratio);
@@ -28,7 +33,7 @@ fn all<T: Float>(mut words: Words) {
 }
 
 /// `weight(a, b)` = f(a/b) / (1 + f(a/b)).
-fn heuristic<T: Float>(weight: fn(T, T) -> T, a: T, b: T, f: fn(f64) -> f64) {
+fn heuristic<T: Number>(weight: fn(T, T) -> T, a: T, b: T, f: fn(f64) -> f64) {
     let (w, mirrored) = (weight(a, b), weight(b, a));
     let (x, y) = (a.wide(), b.wide());
     let valid = x >= 0.0 && y >= 0.0;
@@ -56,7 +61,7 @@ fn heuristic<T: Float>(weight: fn(T, T) -> T, a: T, b: T, f: fn(f64) -> f64) {
     let ratio = f(x / y);
     if x.is_finite() && y.is_finite() && ratio.is_normal() {
         let exact = 1.0 / (1.0 + 1.0 / ratio);
-        let slack = VALUE_ULP * T::ULP * exact + 2.0 * T::SMALLEST;
+        let slack = VALUE_ULP * T::ULP * exact + 2.0 * T::LEAST_STEP;
         assert!(
             (w.wide() - exact).abs() <= slack,
             "{w:?} is not {exact:?} at {a:?}, {b:?}"

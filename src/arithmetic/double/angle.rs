@@ -1,4 +1,4 @@
-//! Cosine, sine and the angle of a pair.
+//! Cosine and sine of an angle, and the angle of a direction.
 
 use super::arith::Double;
 use super::arith::{add_raw, add_smaller, gap, mul_raw, normalise, square_raw};
@@ -12,7 +12,7 @@ const HALF_PI_PAIR: Double = Double {
     lo: HALF_PI[1],
 };
 
-/// π/2 − a for 0 ≤ a ≤ π/2, with three words of π/2: beside it, the first two cancel.
+/// π/2 − a for 0 ≤ a ≤ π/2, with three parts of π/2: beside it, the first two cancel.
 #[inline]
 pub(crate) fn from_end(a: f64) -> Double {
     let d = Double::fast_two_sum(HALF_PI[0], -a);
@@ -36,8 +36,8 @@ pub(crate) fn sine_gap(x: Double, series: &Series) -> Double {
     mul_raw(x, mul_raw(v, series.sum(v)))
 }
 
-/// (cos x, sin x) for 0 ≤ x ≤ 0.9, and sin x − x. The cosine is √(1 − sin²x): cheaper than a series of
-/// its own, and its error is that of the sine times tan²x < 1.6.
+/// (cos x, sin x) for 0 ≤ x ≤ 0.9, and sin x − x. The cosine is √(1 − sin²x): cheaper than a
+/// series of its own, and its error is that of the sine times tan²x < 1.6.
 #[inline]
 pub(crate) fn sin_cos_gap(x: Double) -> (CosSin<Double>, Double) {
     let rest = sine_gap(x, &SIN);
@@ -78,8 +78,8 @@ pub(crate) fn at_eighth(x: Double) -> CosSin<Double> {
     sin_cos(normalise(mul_raw(x, TWO_PI)))
 }
 
-/// atan(y/x) for 0 ≤ y ≤ x, x > 0, from tan(φ − φ₀) = (y cos φ₀ − x sin φ₀)/(x cos φ₀ + y sin φ₀): the
-/// pair need not be a unit vector, and the tangent's cubic term is below 2⁻¹⁵⁰ of φ.
+/// atan(y/x) for 0 ≤ y ≤ x, x > 0, from tan(φ − φ₀) = (y cos φ₀ − x sin φ₀)/(x cos φ₀ + y sin φ₀):
+/// the (x, y) need not be a unit vector, and the tangent's cubic term is below 2⁻¹⁵⁰ of φ.
 #[inline]
 fn atan_of_ratio(y: Double, x: Double) -> Double {
     let start = libm::atan2(y.hi, x.hi);

@@ -1,7 +1,7 @@
 //! The tail of the disk's law and its inverse: Kepler's equation at eccentricity 1.
 //!
-//! With η the angle from the nearer end, θ from the axis and p that end's tail,
-//! πp = η − sin η cos η and π(½ − p) = θ + sin θ cos θ. The difference is summed from parts of one sign.
+//! With η the angle from the nearer end, θ from the axis and p that end's tail, πp = η − sin η cos
+//! η and π(½ − p) = θ + sin θ cos θ. The difference is summed from parts of one sign.
 
 use super::angle::{from_end, sin_cos_gap, swapped};
 use super::arith::Double;

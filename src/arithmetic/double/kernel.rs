@@ -2,79 +2,24 @@
 
 use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::arith::scaled;
+use crate::arithmetic::double::constants::constants;
+use crate::arithmetic::double::power::{one_minus_power, snapped};
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::logarithmic::{self, Logarithmic};
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
-use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
-const fn constants(c: &Constants<Pair<f64>>) -> Constants<Double> {
-    Constants {
-        half_pi: Double::from_pair(c.half_pi),
-        two_pi: Double::from_pair(c.two_pi),
-        pi: Double::from_pair(c.pi),
-        recip_pi: Double::from_pair(c.recip_pi),
-        two_over_pi: Double::from_pair(c.two_over_pi),
-        recip_two_pi: Double::from_pair(c.recip_two_pi),
-        twelve_pi: Double::from_pair(c.twelve_pi),
-        three_over_two_pi: Double::from_pair(c.three_over_two_pi),
-        two_over_three_pi: Double::from_pair(c.two_over_three_pi),
-        ln_2: Double::from_pair(c.ln_2),
-        ln_two_pi: Double::from_pair(c.ln_two_pi),
-        ln_pi: Double::from_pair(c.ln_pi),
-        ln_two_over_pi: Double::from_pair(c.ln_two_over_pi),
-        ln_three_over_two_pi: Double::from_pair(c.ln_three_over_two_pi),
-    }
-}
-
-/// A power that comes this near to an `f64` is one: c³ of a short c must be met exactly, since it can
-/// be a tie of a shorter format.
-#[inline]
-fn snapped(x: Double) -> Double {
-    if x.lo.abs() < x.hi.abs() * power_of_two(-90) {
-        Double::exact(x.hi)
-    } else {
-        x
-    }
-}
-
-/// 1 − (1 − v)ᵐ for small mv, by the binomial series: beside the axis mv itself can be a tie of a
-/// shorter format, and then the sign of what follows decides.
-#[inline]
-fn one_minus_power(m: Double, v: Double) -> Double {
-    let mut rest = Double::ONE;
-    for j in (1..7).rev() {
-        let step = (m - Double::int(j)) * v / Double::int(j + 1);
-        rest = if j == 1 {
-            step * rest
-        } else {
-            Double::ONE - step * rest
-        };
-    }
-    let first = m * v;
-    let sum = first - first * rest;
-    if sum.lo == 0.0 {
-        // Too small to be held; its sign is not.
-        let least = sum.hi * power_of_two(-120);
-        let lo = if rest.hi > 0.0 {
-            -least
-        } else if rest.hi < 0.0 {
-            least
-        } else {
-            0.0
-        };
-        return Double { hi: sum.hi, lo };
-    }
-    sum
-}
-
 impl Kernel for Double {
     type Wide = Double;
+    type Cosine = CosSin<Self>;
+    type Scale = Self;
+    type TailRoot = Self;
 
     const CONSTANTS: Constants<Double> = constants(&<f64 as Native>::CONSTANTS);
 
@@ -87,7 +32,7 @@ impl Kernel for Double {
     }
     #[inline]
     fn cbrt(self) -> Self {
-        // Below this, trailing words would underflow on the way.
+        // Below this, trailing parts would underflow on the way.
         if self.hi < power_of_two(-500) {
             scaled(
                 root::cbrt(scaled(self, power_of_two(900))),
@@ -131,10 +76,6 @@ impl Kernel for Double {
         angle::at_angle(theta.hi)
     }
     #[inline]
-    fn at_angle_fine(theta: Self) -> CosSin<Self> {
-        angle::at_angle(theta.hi)
-    }
-    #[inline]
     fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
         into_quadrant(quadrant, angle::at_eighth(x))
     }
@@ -173,34 +114,33 @@ impl Kernel for Double {
         log_exp::ln(x)
     }
     #[inline]
-    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
-        let product = if at.sin.hi < power_of_two(-60) {
-            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
-            -(k * at.sin * at.sin * Self::HALF)
-        } else {
-            k * Self::ln_cos(at)
-        };
-        // A pair that is no unit vector: the logarithm is −∞, and k tells the sign.
-        if product.is_finite() {
-            product
-        } else if k > Self::ZERO {
-            -Self::INFINITY
-        } else {
-            Self::INFINITY
-        }
+    fn cosine(at: CosSin<Self>) -> CosSin<Self> {
+        at
     }
     #[inline]
-    fn exp_times(a: Self, c: Self) -> Self {
-        let (m, n) = log_exp::exp(a);
-        let product = c * snapped(m);
-        Double {
-            hi: product.hi.scale(n),
-            lo: product.lo.scale(n),
-        }
+    fn cosine_at_angle(theta: Self) -> (CosSin<Self>, Self) {
+        let at = Self::at_angle(theta);
+        (at, at.sin)
     }
     #[inline]
-    fn one_minus_exp(a: Self) -> Self {
-        snapped(-log_exp::exp_m1(a))
+    fn scale(x: Self) -> Self {
+        x
+    }
+    #[inline]
+    fn two_over(x: Self) -> Self {
+        Self::int(2) / x
+    }
+    #[inline]
+    fn power_times(k: Self, at: CosSin<Self>, scale: Self, factor: Self) -> Self {
+        logarithmic::power_times(k, at, scale * factor)
+    }
+    #[inline]
+    fn ln_power_times_sine(k: Self, at: CosSin<Self>, c: Self) -> Self {
+        logarithmic::ln_power_times_sine(k, at, c)
+    }
+    #[inline]
+    fn tail_root(n: Self) -> Self {
+        n
     }
     #[inline]
     fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
@@ -240,5 +180,38 @@ impl Kernel for Double {
             cos: Self::exp_times(a, Self::ONE),
             sin,
         }
+    }
+}
+
+impl Logarithmic for Double {
+    #[inline]
+    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
+        let product = if at.sin.hi < power_of_two(-60) {
+            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
+            -(k * at.sin * at.sin * Self::HALF)
+        } else {
+            k * Self::ln_cos(at)
+        };
+        // At what is no unit vector the logarithm is −∞, and k tells the sign.
+        if product.is_finite() {
+            product
+        } else if k > Self::ZERO {
+            -Self::INFINITY
+        } else {
+            Self::INFINITY
+        }
+    }
+    #[inline]
+    fn exp_times(a: Self, c: Self) -> Self {
+        let (m, n) = log_exp::exp(a);
+        let product = c * snapped(m);
+        Double {
+            hi: product.hi.scale(n),
+            lo: product.lo.scale(n),
+        }
+    }
+    #[inline]
+    fn one_minus_exp(a: Self) -> Self {
+        snapped(-log_exp::exp_m1(a))
     }
 }

@@ -22,7 +22,7 @@ pub(crate) fn ln(x: Double) -> Double {
     if !(x.hi > 0.0 && x.hi.is_finite()) {
         return Double::exact(libm::log(x.hi));
     }
-    let (m, e) = x.hi.split();
+    let (m, e) = x.hi.split(f64::ROOT_HALF);
     let part = ln_near_one(Double::two_sum(m - 1.0, x.lo.scale(-e)));
     if e == 0 {
         part
@@ -51,7 +51,8 @@ fn exp_m1_near_zero(r: Double) -> Double {
     quotient(scaled(r, 2.0), add_smaller(even, -r))
 }
 
-/// eˣ = m·2ⁿ with ½ ≤ m < 2, for |x| up to 2¹¹; beyond, the error grows with x, and n = ±2²¹ stands for all that is larger or smaller.
+/// eˣ = m·2ⁿ with ½ ≤ m < 2, for |x| up to 2¹¹; beyond, the error grows with x, and n = ±2²¹ stands
+/// for all that is larger or smaller.
 #[inline]
 pub(crate) fn exp(x: Double) -> (Double, i32) {
     const LIMIT: f64 = 700_000.0;
@@ -64,7 +65,7 @@ pub(crate) fn exp(x: Double) -> (Double, i32) {
     let turns = x.hi / LN_2.hi;
     let n = (turns + 0.5_f64.copysign(turns)) as i32;
     let k = -f64::from(n);
-    // n < 2²⁰, so the products with the two short words are exact.
+    // n < 2²⁰, so the products with the two short parts are exact.
     let first = Double::two_sum(x.hi, k * LN_2_SHORT[0]);
     let second = Double::two_sum(first.hi, k * LN_2_SHORT[1]);
     let r = Double::fast_two_sum(

@@ -27,11 +27,11 @@ impl Grid {
 
     /// Bits of the number nearest to |x|·2ⁿ, ties to even, for a normal, finite x.hi, not 0.
     ///
-    /// The trailing word only tells on which side of x.hi the value lies, and of all values there none
-    /// that a format has to choose between is nearer than a quarter of x.hi's last place.
+    /// Of x.lo only the sign is read: it tells on which side of x.hi the value lies, and between
+    /// the two lies no number of the format and no midpoint of two.
     pub(crate) fn nearest(&self, x: Double, n: i32) -> u64 {
         let bits = x.hi.abs().to_bits();
-        let exponent = (bits >> 52) as i32 - 1023 + n;
+        let exponent = ((bits >> 52) as i32 - 1023).wrapping_add(n);
         let significand = 4 * ((bits & (u64::MAX >> 12)) | (1 << 52));
         let significand = if x.lo == 0.0 {
             significand
@@ -40,26 +40,30 @@ impl Grid {
         } else {
             significand - 1
         };
-        let below = (self.least - exponent).max(0);
-        let shift = 53 - self.digits + 2 + below;
+        let below = self.least.wrapping_sub(exponent).max(0);
+        let shift = below.wrapping_add(55).wrapping_sub(self.digits);
         if shift > 60 {
             return 0; // less than half of the least number
         }
         if exponent > 2000 {
             return self.infinity;
         }
-        let (kept, rest) = (significand >> shift, significand & ((1 << shift) - 1));
-        let half = 1 << (shift - 1);
+        let half = 1u64.wrapping_shl(shift.wrapping_sub(1) as u32);
+        let kept = significand.wrapping_shr(shift as u32);
+        let rest = significand & (half << 1).wrapping_sub(1);
         let up = rest > half || (rest == half && kept & 1 == 1);
         // The significand's leading digit counts the exponent up by one, and so does a carry.
-        let exponent = (exponent - self.least).max(0) as u64;
-        let rounded = (exponent << (self.digits - 1)) + kept + u64::from(up);
+        let exponent = exponent.wrapping_sub(self.least).max(0) as u64;
+        let rounded = (exponent << self.digits.wrapping_sub(1))
+            .wrapping_add(kept)
+            .wrapping_add(up.into());
         rounded.min(self.infinity)
     }
 }
 
-/// Magnitudes from 2⁻⁹⁰⁰ to 2⁹⁰⁰: no trailing word of theirs, nor of what a formula makes of them on the
-/// way to such a result, is lost below the subnormals or above the largest number.
+/// Magnitudes from 2⁻⁹⁰⁰ to 2⁹⁰⁰: a formula that goes from such numbers to such a result loses no
+/// trailing part of a double-double on the way, neither below the subnormals nor above the largest
+/// number.
 #[inline(always)]
 pub(crate) fn is_moderate(x: f64) -> bool {
     let (low, high) = (power_of_two(-900), power_of_two(900));
@@ -119,7 +123,7 @@ mod tests {
         assert_eq!(Grid::F64.nearest(Double::exact(1.0), -(1 << 26)), 0);
     }
 
-    /// A trailing word decides a tie and nothing else.
+    /// A trailing part decides a tie and nothing else.
     #[test]
     fn the_trailing_word_decides_ties() {
         let lo = power_of_two(-80);

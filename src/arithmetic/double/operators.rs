@@ -7,7 +7,7 @@ use crate::arithmetic::native::format::Native;
 use crate::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `result`, or its leading word alone where a zero or an overflow has left NaN in the trailing one.
+/// `result`, or `leading` alone where that is 0 or ∞, whose trailing part would be NaN.
 #[inline(always)]
 fn settled(leading: f64, result: Double) -> Double {
     if leading.is_finite() && leading != 0.0 {
@@ -22,7 +22,7 @@ impl Add for Double {
     #[inline]
     fn add(self, b: Self) -> Self {
         let sum = sum(self, b);
-        // Leading words that cancel leave the trailing ones.
+        // Leading parts that cancel leave the trailing ones.
         if sum.hi.is_finite() && sum.hi != 0.0 {
             sum
         } else {

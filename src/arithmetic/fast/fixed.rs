@@ -24,7 +24,8 @@ pub(crate) const fn leading_31(r: u32, e: i32) -> f32 {
     f32::from_bits((r >> 8).wrapping_add(((126 + e) << 23) as u32))
 }
 
-/// r·2ᵉ⁻³¹ for 2³⁰ ≤ r ≤ 2³¹; an excess over 2³¹ counts twice, as the carry makes the next power of two.
+/// r·2ᵉ⁻³¹ for 2³⁰ ≤ r ≤ 2³¹; an excess over 2³¹ counts twice, as the carry makes the next power
+/// of two.
 #[inline(always)]
 pub(crate) const fn leading_30(r: u32, e: i32) -> f32 {
     f32::from_bits((r >> 7).wrapping_add(((125 + e) << 23) as u32))

@@ -1,8 +1,8 @@
 //! The tail of the disk's law and its inverse.
 //!
 //! With z = ∛p, cos θ/z is analytic in z² and |sin θ|/d, d = ½ − p, is analytic in z, over the
-//! whole half range: cos θ has all its digits at the end and sin θ at the axis, with no iteration and no
-//! choice between branches.
+//! whole half range: cos θ has all its digits at the end and sin θ at the axis, with no iteration
+//! and no choice between branches.
 
 use super::angle::from_end;
 use super::coefficients::{

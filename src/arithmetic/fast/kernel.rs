@@ -4,11 +4,12 @@ use super::Fast;
 use crate::arithmetic::constants::Constants;
 use crate::arithmetic::fast::{angle, kepler, power, root};
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::logarithmic::{self, Logarithmic};
 use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::trig;
-use crate::arithmetic::native::turn::into_quadrant;
+use crate::arithmetic::native::turn::{into_quadrant, nearest_quarter};
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
@@ -26,6 +27,13 @@ fn root_of_subnormal(a: Fast<f32>, f: impl Fn(Fast<f32>) -> Fast<f32>) -> Fast<f
     Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
 }
 
+/// (cos θ, |sin θ|) by `f32`'s kernel: a power multiplies the relative error of the cosine.
+#[inline(always)]
+fn at_angle_fine(theta: Fast<f32>) -> CosSin<Fast<f32>> {
+    let CosSin { cos, sin } = trig::at_angle(theta.0);
+    fast((cos.value(), sin.value()))
+}
+
 /// c·eᵃ where eᵃ alone would leave the range of the format.
 #[cold]
 fn far_exp_times(a: f32, c: Fast<f32>) -> Fast<f32> {
@@ -39,6 +47,9 @@ const fn constant(pair: Pair<f32>) -> Fast<f32> {
 
 impl Kernel for Fast<f32> {
     type Wide = Self;
+    type Cosine = CosSin<Self>;
+    type Scale = Self;
+    type TailRoot = Self;
 
     const CONSTANTS: Constants<Self> = {
         let c = <f32 as Native>::CONSTANTS;
@@ -110,20 +121,14 @@ impl Kernel for Fast<f32> {
     fn at_angle(theta: Self) -> CosSin<Self> {
         fast(angle::sin_cos(theta.0))
     }
-    /// By `f32`'s kernel: a power multiplies the relative error of the cosine.
-    #[inline(always)]
-    fn at_angle_fine(theta: Self) -> CosSin<Self> {
-        let CosSin { cos, sin } = trig::at_angle(theta.0);
-        fast((cos.value(), sin.value()))
-    }
     #[inline(always)]
     fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
         into_quadrant(quadrant, fast(angle::eighth_turn(x.0)))
     }
     #[inline(always)]
     fn at_turn(u: Self) -> CosSin<Self> {
-        let quadrant = (u.0 * 4.0 + 0.5) as u32;
-        Self::at_quadrant(quadrant, Fast(u.0 - quadrant as f32 * 0.25))
+        let (quadrant, x) = nearest_quarter(u.0);
+        Self::at_quadrant(quadrant, Fast(x))
     }
     #[inline(always)]
     fn half_turn(p: Self) -> CosSin<Self> {
@@ -150,6 +155,58 @@ impl Kernel for Fast<f32> {
         Kernel::ln(x)
     }
     #[inline(always)]
+    fn cosine(at: CosSin<Self>) -> CosSin<Self> {
+        at
+    }
+    #[inline(always)]
+    fn cosine_at_angle(theta: Self) -> (CosSin<Self>, Self) {
+        let at = at_angle_fine(theta);
+        (at, at.sin)
+    }
+    #[inline(always)]
+    fn scale(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn two_over(x: Self) -> Self {
+        Self::int(2) / x
+    }
+    #[inline(always)]
+    fn power_times(k: Self, at: CosSin<Self>, scale: Self, factor: Self) -> Self {
+        logarithmic::power_times(k, at, scale * factor)
+    }
+    #[inline(always)]
+    fn ln_power_times_sine(k: Self, at: CosSin<Self>, c: Self) -> Self {
+        logarithmic::ln_power_times_sine(k, at, c)
+    }
+    #[inline(always)]
+    fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
+        logarithmic::power_tails(n, at)
+    }
+    #[inline(always)]
+    fn tail_root(n: Self) -> Self {
+        n
+    }
+    #[inline(always)]
+    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
+        let log = Fast(power::ln_upper(p.lower().0, p.upper().0));
+        let a = log / n;
+        let sin = if -a.0 < 1e-30 {
+            // sin²θ = −2a, which for large n underflows before its root does. The logarithm is not
+            // positive, and its size has no −0 for a root to keep.
+            Scalar::sqrt((log + log).abs()) / Scalar::sqrt(n)
+        } else {
+            Scalar::sqrt(Self::one_minus_exp(a + a))
+        };
+        CosSin {
+            cos: Self::exp_times(a, Self::ONE),
+            sin,
+        }
+    }
+}
+
+impl Logarithmic for Fast<f32> {
+    #[inline(always)]
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
         if at.sin.0 < 1e-15 {
             // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
@@ -169,21 +226,5 @@ impl Kernel for Fast<f32> {
     #[inline(always)]
     fn one_minus_exp(a: Self) -> Self {
         Fast(power::one_minus_exp(a.0))
-    }
-    #[inline(always)]
-    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
-        let log = Fast(power::ln_upper(p.lower().0, p.upper().0));
-        let a = log / n;
-        let sin = if -a.0 < 1e-30 {
-            // sin²θ = −2a, which for large n underflows before its root does. The logarithm is not
-            // positive, and its size has no −0 for a root to keep.
-            Scalar::sqrt((log + log).abs()) / Scalar::sqrt(n)
-        } else {
-            Scalar::sqrt(Self::one_minus_exp(a + a))
-        };
-        CosSin {
-            cos: Self::exp_times(a, Self::ONE),
-            sin,
-        }
     }
 }

@@ -22,9 +22,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// The cheapest tier: relative errors of about 2⁻¹² in densities and directions.
 ///
 /// Sums of rounding errors are not carried, polynomials are short, and roots are integer
-/// arithmetic, so that a target without a floating-point unit gains most. Directions are unit vectors
-/// to 2⁻¹², inside the support, with positive density. Subnormal arguments are accepted; their
-/// accuracy is not promised. Quantiles may step back within their error.
+/// arithmetic, so that a target without a floating-point unit gains most. Directions are unit
+/// vectors to 2⁻¹², inside the support, with positive density. Subnormal arguments are accepted;
+/// their accuracy is not promised. Quantiles may step back within their error.
 ///
 /// Not every operation is cheaper than the plain type's on a host: the tables in
 /// [`accuracy`](crate::accuracy) say which are.

@@ -1,7 +1,7 @@
 //! Logarithms and exponentials.
 //!
-//! cosᵏθ = exp(k ln cos θ) multiplies the relative error of ln cos θ by k |ln cos θ| (87 where cosᵏθ
-//! underflows), so the logarithm has 2⁻²⁰·⁷, eight bits more than the result needs.
+//! cosᵏθ = exp(k ln cos θ) multiplies the relative error of ln cos θ by k |ln cos θ| (87 where
+//! cosᵏθ underflows), so the logarithm has 2⁻²⁰·⁷, eight bits more than the result needs.
 
 use super::coefficients::{EXP2, EXP2_M1, LN};
 use super::fixed::{horner, leading_31};
@@ -59,9 +59,10 @@ pub(crate) fn ln_upper(lower: f32, upper: f32) -> f32 {
 
 /// ln cos θ; beside the axis, where the cosine has no digits left, from the sine.
 ///
-/// There (cos − 1)/(cos + 1) = −(sin/(1 + cos))², so the quotient of the logarithm of a number is that
-/// of this one squared. Times k, the result has the relative error k |ln cos θ| 2⁻²⁰·⁷ (2⁻¹⁴·³ where cosᵏθ
-/// underflows), and that of `exp` on top. k sin²θ is lost where sin²θ underflows (sin θ < 10⁻¹⁹).
+/// There (cos − 1)/(cos + 1) = −(sin/(1 + cos))², so the quotient of the logarithm of a number is
+/// that of this one squared. Times k, the result has the relative error k |ln cos θ| 2⁻²⁰·⁷
+/// (2⁻¹⁴·³ where cosᵏθ underflows), and that of `exp` on top. k sin²θ is lost where sin²θ
+/// underflows (sin θ < 10⁻¹⁹).
 #[inline]
 pub(crate) fn ln_cos(cos: f32, sin: f32) -> f32 {
     let bits = cos.to_bits();

@@ -1,4 +1,5 @@
-//! Square, cube and fourth roots: the exponent divided, the significand by an integer polynomial of degree 4.
+//! Square, cube and fourth roots: the exponent divided, the significand by an integer polynomial
+//! of degree 4.
 //!
 //! A native square root is one instruction where there is one, but about 415 on a Cortex-M0 and 51
 //! (`libm`'s) on a Cortex-M4F; this one is about as long everywhere, as are the other two.
@@ -28,7 +29,8 @@ fn of_unusual(x: f32, root: fn(f32) -> f32, down: f32) -> f32 {
     }
 }
 
-/// The root of 1 + f times `part` (Q15), with the biased exponent `e`; f from the significand of `bits`.
+/// The root of 1 + f times `part` (Q15), with the biased exponent `e`; f from the significand of
+/// `bits`.
 #[inline(always)]
 fn assemble<const N: usize>(bits: u32, shape: &FixedPoint<N>, part: u32, e: u32) -> f32 {
     let f = (bits >> 7) & 0xFFFF;
@@ -63,7 +65,8 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     assemble(bits, &CBRT, part, third)
 }
 
-/// ⁴√x; ±0 and +∞ as they are, NaN below 0. One pass, so half the cost and the error of two square roots.
+/// ⁴√x; ±0 and +∞ as they are, NaN below 0. One pass, so half the cost and the error of two square
+/// roots.
 #[inline]
 pub(crate) fn fourth_root(x: f32) -> f32 {
     let bits = x.to_bits();
@@ -72,6 +75,7 @@ pub(crate) fn fourth_root(x: f32) -> f32 {
     }
     let n = (bits >> 23) + 381;
     let rest = n & 3;
-    let part = 32768 + ((rest * (11375 + rest * (951 + 74 * rest))) >> 1); // 2^(0, 1/4, 1/2, 3/4) in Q15
+    // 2^(0, 1/4, 1/2, 3/4) in Q15.
+    let part = 32768 + ((rest * (11375 + rest * (951 + 74 * rest))) >> 1);
     assemble(bits, &FOURTH_ROOT, part, n >> 2)
 }

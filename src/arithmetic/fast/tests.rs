@@ -1,7 +1,8 @@
 //! Every kernel against an f64 reference: one table of bounds.
 //!
-//! `cargo test fast` walks each domain in strides; `cargo test --release fast -- --ignored --nocapture` takes
-//! every `f32` of the part of it where the error has its full period, and prints the worst.
+//! `cargo test fast` walks each domain in strides; `cargo test --release fast -- --ignored
+//! --nocapture` takes every `f32` of the part of it where the error has its full period, and
+//! prints the worst.
 extern crate std;
 
 mod reference;
@@ -52,32 +53,48 @@ const ROWS: &[Row] = &[
     row("sqrt", -14.3, (TINY, MAX), (1.0, 4.0), root::sqrt, libm::sqrt),
     row("sqrt, subnormal", -14.3, (LEAST, TINY), (LEAST, TINY), root::sqrt, libm::sqrt),
     row("cbrt, subnormal", -14.2, (LEAST, TINY), (LEAST, TINY), root::cbrt, libm::cbrt),
-    row("fourth_root, subnormal", -14.2, (LEAST, TINY), (LEAST, TINY), root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
+    row("fourth_root, subnormal", -14.2, (LEAST, TINY), (LEAST, TINY),
+        root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
     row("ln, subnormal", -21.4, (LEAST, TINY), (LEAST, TINY), power::ln, libm::log),
     row("cbrt", -14.2, (TINY, MAX), (1.0, 8.0), root::cbrt, libm::cbrt),
-    row("fourth_root", -14.2, (TINY, MAX), (1.0, 16.0), root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
+    row("fourth_root", -14.2, (TINY, MAX), (1.0, 16.0),
+        root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
     row("sin_cos: cos", -19.7, (TINY, END), (0.01, END), |x| angle::sin_cos(x).0, libm::cos),
     row("sin_cos: sin", -13.1, (TINY, END), (0.01, END), |x| angle::sin_cos(-x).1, libm::sin),
-    row("eighth_turn: cos", -16.3, (TINY, 0.125), (1e-3, 0.125), |x| angle::eighth_turn(-x).0, |x| libm::cos(TAU * x)),
-    row("eighth_turn: sin", -19.2, (TINY, 0.125), (1e-3, 0.125), |x| angle::eighth_turn(x).1, |x| libm::sin(TAU * x)),
-    row("half_turn: cos", -13.1, (TINY, 0.5), (1e-3, 0.5), |p| angle::half_turn(p).0, |p| libm::sin(PI * p)),
-    row("half_turn: sin", -13.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), |p| angle::half_turn(p).1, |p| libm::sin(PI * (0.5 - p))),
+    row("eighth_turn: cos", -16.3, (TINY, 0.125), (1e-3, 0.125),
+        |x| angle::eighth_turn(-x).0, |x| libm::cos(TAU * x)),
+    row("eighth_turn: sin", -19.2, (TINY, 0.125), (1e-3, 0.125),
+        |x| angle::eighth_turn(x).1, |x| libm::sin(TAU * x)),
+    row("half_turn: cos", -13.1, (TINY, 0.5), (1e-3, 0.5),
+        |p| angle::half_turn(p).0, |p| libm::sin(PI * p)),
+    row("half_turn: sin", -13.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),
+        |p| angle::half_turn(p).1, |p| libm::sin(PI * (0.5 - p))),
     row("atan2: flat", -15.0, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2_first(t, 1.0), libm::atan),
-    row("atan2: steep", -15.0, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2(1.0, t), |t| libm::atan2(1.0, t)),
-    row("atan2: steep, behind", -16.5, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2(1.0, -t), |t| libm::atan2(1.0, -t)),
-    row("atan2: flat, behind", -16.5, (TINY, 1.0), (1e-3, 1.0), |t| angle::atan2(-t, -1.0), |t| libm::atan2(-t, -1.0)),
+    row("atan2: steep", -15.0, (TINY, 1.0), (1e-3, 1.0),
+        |t| angle::atan2(1.0, t), |t| libm::atan2(1.0, t)),
+    row("atan2: steep, behind", -16.5, (TINY, 1.0), (1e-3, 1.0),
+        |t| angle::atan2(1.0, -t), |t| libm::atan2(1.0, -t)),
+    row("atan2: flat, behind", -16.5, (TINY, 1.0), (1e-3, 1.0),
+        |t| angle::atan2(-t, -1.0), |t| libm::atan2(-t, -1.0)),
     row("ln", -21.4, (TINY, MAX), (0.25, 4.0), power::ln, libm::log),
-    row("ln_upper", -21.3, (TINY, 0.99), (1e-3, 0.99), |p| power::ln_upper(p, 1.0 - p), |p| libm::log1p(-p)),
+    row("ln_upper", -21.3, (TINY, 0.99), (1e-3, 0.99),
+        |p| power::ln_upper(p, 1.0 - p), |p| libm::log1p(-p)),
     row("ln_cos", -20.7, (2e-19, END), (0.01, END), |x| power::ln_cos(cos(x), sin(x)), ln_cos),
-    row("cos to the 100th", -13.9, (1e-6, 1.1), (1e-3, 1.1), |x| power::exp(100.0 * power::ln_cos(cos(x), sin(x))), |x| libm::exp(100.0 * ln_cos(x))),
+    row("cos to the 100th", -13.9, (1e-6, 1.1), (1e-3, 1.1),
+        |x| power::exp(100.0 * power::ln_cos(cos(x), sin(x))), |x| libm::exp(100.0 * ln_cos(x))),
     row("exp, x < 0", -14.1, (TINY, 87.3), (1e-3, 87.3), |x| power::exp(-x), |x| libm::exp(-x)),
     row("exp, x > 0", -14.1, (TINY, 88.7), (1e-3, 88.7), power::exp, libm::exp),
-    row("one_minus_exp", -13.8, (TINY, MAX), (1e-3, 32.0), |x| power::one_minus_exp(-x), |x| -libm::expm1(-x)),
+    row("one_minus_exp", -13.8, (TINY, MAX), (1e-3, 32.0),
+        |x| power::one_minus_exp(-x), |x| -libm::expm1(-x)),
     row("tail_at_angle", -16.2, (TINY, END), (0.01, END), kepler::tail_at_angle, |x| tail(end(x))),
-    row("tail_at_direction", -13.2, (TINY, END), (0.01, END), |x| kepler::tail_at_direction(cos(x), sin(x)), |x| tail(end(x))),
-    row("direction_at_tail: cos", -13.1, (TINY, 0.5), (1e-3, 0.5), |p| kepler::direction_at_tail(p).0, |p| libm::sin(eta(p))),
-    row("direction_at_tail: sin", -13.2, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), |p| kepler::direction_at_tail(p).1, |p| libm::cos(eta(p))),
-    row("angle_at_tail", -14.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN), kepler::angle_at_tail, |p| FRAC_PI_2 - eta(p)),
+    row("tail_at_direction", -13.2, (TINY, END), (0.01, END),
+        |x| kepler::tail_at_direction(cos(x), sin(x)), |x| tail(end(x))),
+    row("direction_at_tail: cos", -13.1, (TINY, 0.5), (1e-3, 0.5),
+        |p| kepler::direction_at_tail(p).0, |p| libm::sin(eta(p))),
+    row("direction_at_tail: sin", -13.2, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),
+        |p| kepler::direction_at_tail(p).1, |p| libm::cos(eta(p))),
+    row("angle_at_tail", -14.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),
+        kepler::angle_at_tail, |p| FRAC_PI_2 - eta(p)),
 ];
 
 /// log₂ of the worst relative error, and where.

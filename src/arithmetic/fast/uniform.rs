@@ -4,7 +4,8 @@ use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
 use crate::arithmetic::native::turn::merge_if_odd;
 
-/// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n + 1)·2⁻³³.
+/// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n +
+/// 1)·2⁻³³.
 ///
 /// Never 0, at most ½; 2⁻³³ is the deepest.
 #[inline]

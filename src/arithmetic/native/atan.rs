@@ -1,4 +1,4 @@
-//! The angle of a pair: one quotient with its rounding error, one odd polynomial.
+//! The angle of a direction: one quotient with its rounding error, one odd polynomial.
 
 use super::pair::Pair;
 use super::poly::horner;
@@ -6,7 +6,7 @@ use crate::CosSin;
 use crate::arithmetic::native::format::Native;
 
 /// θ of a unit vector with cos θ ≥ 0. Error < 1 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn of_direction<T: Native>(at: CosSin<T>) -> T {
     let (y, x) = (at.sin.abs(), at.cos);
     let steep = y > x;
@@ -15,7 +15,7 @@ pub(crate) fn of_direction<T: Native>(at: CosSin<T>) -> T {
 }
 
 /// atan2(y, x) with std's conventions for ±0, ±∞ and NaN. Error < 1 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn atan2<T: Native>(y: T, x: T) -> T {
     let (a, b) = (y.abs(), x.abs());
     let steep = a > b;
@@ -23,7 +23,7 @@ pub(crate) fn atan2<T: Native>(y: T, x: T) -> T {
     // Up: a residual must not underflow. Down: a sum must not overflow. Neither rounds.
     let down = T::select(small > T::ONE, T::QUARTER, T::ONE);
     let scale = T::select(large < T::ONE, T::CBRT_UP, down);
-    // Two zeros have the angle 0; all that is told of two infinities is that they are equal.
+    // Two zeros have the angle 0; of two infinities only equality is known.
     let equal = a == b;
     let one = T::select(a == T::ZERO, T::ZERO, T::ONE);
     let small = T::select(equal, one, small * scale);

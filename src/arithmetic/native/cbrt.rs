@@ -1,10 +1,11 @@
-//! Cube root without a division: from an integer guess of 1/∛x, and a last step from a shortened ∛x.
+//! Cube root without a division: from an integer guess of 1/∛x, and a last step from a shortened
+//! ∛x.
 
 use super::pair::Pair;
 use crate::arithmetic::native::format::Native;
 
 /// Adds what rounding took from a cube root t = ∛x.
-#[inline]
+#[inline(always)]
 pub(crate) fn refine<T: Native>(t: T, x: T) -> Pair<T> {
     let square = Pair::two_prod(t, t);
     let cube = square.mul(Pair::exact(t));
@@ -15,8 +16,9 @@ pub(crate) fn refine<T: Native>(t: T, x: T) -> Pair<T> {
 /// ∛(y·`CBRT_DOWN`³), for y = 0 and for normal y far from underflow and overflow.
 ///
 /// With e = 1 − y·r³, r(1 + e/3 + 2e²/9 + 14e³/81) is 1/∛y to the fourth power of r's error. The
-/// last iterate t is cut to half its digits, so that its square is exact, and with s the correction
-/// (y − t³)/(3y^⅔) the root is t + s + s²/t + …. The square is halved once more: y − t³ is rounded once.
+/// last iterate t is cut to half its digits, so that its square is exact, and with s the
+/// correction (y − t³)/(3y^⅔) the root is t + s + s²/t + …. The square is halved once more: y − t³
+/// is rounded once.
 #[inline(always)]
 fn scaled<T: Native>(y: T) -> T {
     let third = T::CBRT_THIRD;

@@ -2,8 +2,7 @@
 #![allow(clippy::approx_constant)] // the constants are the point
 
 use super::pair::Pair;
-use super::table::{Series, Table};
-use crate::Moments;
+use super::table::{Part, Table};
 use crate::arithmetic::constants::Constants;
 
 pub(crate) const CONSTANTS: Constants<Pair<f32>> = Constants {
@@ -80,48 +79,6 @@ pub(crate) const CONSTANTS: Constants<Pair<f32>> = Constants {
 };
 
 pub(crate) const TABLE: Table<f32> = Table {
-    disk_moments: Moments {
-        mean_cos: 0.84882635,
-        var_cos: 0.029493805,
-        mean_theta: 0.0,
-        var_theta: 0.32246703,
-        entropy: 0.8378771,
-    },
-    circle_shell_moments: Moments {
-        mean_cos: 0.7853982,
-        var_cos: 0.049816392,
-        mean_theta: 0.0,
-        var_theta: 0.4674011,
-        entropy: 1.0,
-    },
-    circle_arc_moments: Moments {
-        mean_cos: 0.63661975,
-        var_cos: 0.09471527,
-        mean_theta: 0.0,
-        var_theta: 0.822467,
-        entropy: 1.1447299,
-    },
-    ball_moments: Moments {
-        mean_cos: 0.8,
-        var_cos: 0.026666667,
-        mean_theta: 0.5890486,
-        var_theta: 0.07829713,
-        entropy: 1.2015827,
-    },
-    sphere_shell_moments: Moments {
-        mean_cos: 0.75,
-        var_cos: 0.0375,
-        mean_theta: 0.6666667,
-        var_theta: 0.0943951,
-        entropy: 1.4059315,
-    },
-    lambert_moments: Moments {
-        mean_cos: 0.6666667,
-        var_cos: 0.055555556,
-        mean_theta: 0.7853982,
-        var_theta: 0.11685027,
-        entropy: 1.6447299,
-    },
     // (sin x - x) / x^3 in x^2, |x| <= 0.9; relative error 2^-25.0
     sin: &[-0.16666667, 0.008333379, -0.00019851352, 2.8005945e-6],
     // (cos x - 1 + x^2 / 2) / x^4 in x^2, |x| <= 0.9; relative error 2^-22.68
@@ -185,6 +142,20 @@ pub(crate) const TABLE: Table<f32> = Table {
         -0.083272405,
         0.04358874,
     ],
+    // (2 atanh s - 2 s) / s^3 in s^2, |s| <= 3 - sqrt 8; relative error 2^-21.68
+    atanh: &[0.66666687, 0.39988565, 0.2958601],
+    // (2^r - 1 - r ln 2) / r^2, |r| <= 1/2; relative error 2^-22.85
+    exp2_bend: &[
+        0.2402265,
+        0.055503808,
+        0.009618135,
+        0.0013381555,
+        0.00015429233,
+    ],
+    // (ln(1 + f) - its terms below f^4) / f^4, |f| <= 0.096; relative error 2^-22.05
+    log_series: &[-0.25, 0.19999702, -0.16666375, 0.1441469, -0.12619166],
+    // (sin x - its terms below x^7) / x^7 in x^2, x <= pi/4; relative error 2^-26.02
+    sine_tail: &[-0.0001984127, 2.7557228e-6, -2.4936345e-8],
     // integral of cos^n over its leading term, in m^-2, m = (2n + 1)/4; asymptotic
     cosine_integral: &[
         1.0,
@@ -213,43 +184,65 @@ pub(crate) const TABLE: Table<f32> = Table {
         -157.98863,
         -550.2501,
     ],
-    // (sin x - x) / x^3, Taylor
-    sin_series: Series {
-        head: &[
-            Pair {
-                hi: -0.16666667,
-                lo: 4.967054e-9,
+    // significand from, factor, log2 of its inverse
+    log_parts: [
+        Part {
+            from: 0.6484375,
+            factor: 1.40625,
+            log: Pair {
+                hi: -0.49194336,
+                lo: 9.026304e-5,
             },
-            Pair {
-                hi: 0.008333334,
-                lo: -4.346172e-10,
+        },
+        Part {
+            from: 0.771,
+            factor: 1.1875,
+            log: Pair {
+                hi: -0.24804688,
+                lo: 0.00011936155,
             },
-        ],
-        tail: &[-0.0001984127, 2.7557319e-6, -2.5052108e-8, 1.6059044e-10],
+        },
+        Part {
+            from: 0.917,
+            factor: 1.0,
+            log: Pair { hi: 0.0, lo: 0.0 },
+        },
+        Part {
+            from: 1.0905,
+            factor: 0.84375,
+            log: Pair {
+                hi: 0.24511719,
+                lo: -4.6896635e-6,
+            },
+        },
+    ],
+    log_turn: 0.3515625,
+    // log2 e, its first word half as long
+    log2_e: Pair {
+        hi: 1.4428711,
+        lo: -0.00017605285,
     },
-    // (cos x - 1) / x^2, Taylor
-    cos_series: Series {
-        head: &[
-            Pair { hi: -0.5, lo: 0.0 },
-            Pair {
-                hi: 0.041666668,
-                lo: -1.2417635e-9,
-            },
-        ],
-        tail: &[-0.0013888889, 2.4801588e-5, -2.755732e-7, 2.0876756e-9],
+    // ln 2, its first word half as long
+    ln_2: Pair {
+        hi: 0.69311523,
+        lo: 3.1946183e-5,
     },
-    // (atanh z - z) / z^3, Taylor
-    atanh_series: Series {
-        head: &[
-            Pair {
-                hi: 0.33333334,
-                lo: -9.934108e-9,
-            },
-            Pair {
-                hi: 0.2,
-                lo: -2.9802323e-9,
-            },
-        ],
-        tail: &[0.14285715, 0.11111111, 0.09090909, 0.07692308],
+    // 1 / 3, its first word of 13 bits
+    third: Pair {
+        hi: 0.333313,
+        lo: 2.0345053e-5,
     },
+    // what half_pi leaves
+    half_pi_rest: -1.7151245e-15,
+    // coefficients of x^3, x^5, ... in sin x, those that sine_tail leaves
+    sine_head: &[
+        Pair {
+            hi: -0.16666667,
+            lo: 4.967054e-9,
+        },
+        Pair {
+            hi: 0.008333334,
+            lo: -4.346172e-10,
+        },
+    ],
 };

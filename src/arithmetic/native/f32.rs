@@ -77,6 +77,11 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn sqrt(self) -> f32 {
+        // The same bits: a root is rounded once. libm's is inline assembly on some targets, through
+        // which no loop becomes vectors.
+        #[cfg(feature = "std")]
+        return f32::sqrt(self);
+        #[cfg(not(feature = "std"))]
         libm::sqrtf(self)
     }
 }
@@ -85,6 +90,7 @@ impl Float for f32 {
     const NEGLIGIBLE: f32 = power_of_two(-18);
     const ROOT_UP: f32 = power_of_two(24);
     const ROOT_DOWN: f32 = power_of_two(-12);
+    const COUNTS_QUARTERS: f32 = power_of_two(21);
     const CBRT_UP: f32 = power_of_two(60);
     const CBRT_DOWN: f32 = power_of_two(-20);
     const CBRT_STEPS: usize = 0;
@@ -92,15 +98,28 @@ impl Float for f32 {
     const CBRT_SECOND: f32 = 2.0 / 9.0;
     const CBRT_FOURTH: f32 = 14.0 / 81.0;
     const CBRT_RAISE: f32 = 1.0 + power_of_two(-12);
+    const ROOT_HALF: f32 = core::f32::consts::FRAC_1_SQRT_2;
+    const TINY_SINE: f32 = power_of_two(-40);
+    const TINY_UP: f32 = power_of_two(20);
+    const TINY_SHARE: f32 = power_of_two(-41);
+    const SLIGHT: f32 = power_of_two(-26);
+    const EXPONENT_LIMIT: f32 = power_of_two(20);
+    const LEAST_EXPONENT: i32 = -126;
+    const TWICE_EXPONENT: i32 = 240;
+    const LIFT_BELOW: f32 = power_of_two(-60);
+    const LIFT: f32 = power_of_two(64);
+    const DROP: f32 = power_of_two(-64);
+    const LIFT_EXPONENT: i32 = 64;
+    const EXACT_CUBE: bool = false;
+
+    #[inline(always)]
+    fn last_bits(self) -> u32 {
+        self.to_bits()
+    }
 
     #[inline(always)]
     fn to_u32(self) -> u32 {
         self as u32
-    }
-
-    #[inline(always)]
-    fn to_i32(self) -> i32 {
-        self as i32
     }
 
     #[inline(always)]
@@ -118,14 +137,18 @@ impl Float for f32 {
         libm::log1pf(self)
     }
 
-    #[inline]
-    fn exp(self) -> f32 {
-        libm::expf(self)
+    #[inline(always)]
+    fn nearest(self) -> (f32, i32) {
+        // Its last place is 1.
+        const CARRIER: f32 = 12_582_912.0;
+        let sum = self + CARRIER;
+        let n = sum.to_bits().wrapping_sub(CARRIER.to_bits()) as i32;
+        (sum - CARRIER, n)
     }
 
-    #[inline]
-    fn exp_m1(self) -> f32 {
-        libm::expm1f(self)
+    #[inline(always)]
+    fn exp2(n: i32) -> f32 {
+        f32::from_bits((n.wrapping_add(127) as u32) << 23)
     }
 
     #[inline]
@@ -133,18 +156,15 @@ impl Float for f32 {
         libm::scalbnf(self, n)
     }
 
-    #[inline]
-    fn split(self) -> (f32, i32) {
+    #[inline(always)]
+    fn split(self, least: f32) -> (f32, i32) {
         let tiny = self < f32::MIN_POSITIVE;
-        let x = if tiny { self * power_of_two(24) } else { self };
+        let x = f32::select(tiny, self * power_of_two(24), self);
         let shift = if tiny { -24 } else { 0 };
-        // Exponent of x/√½, so that the significand runs from √½ to √2.
-        let e = (x
-            .to_bits()
-            .wrapping_sub(core::f32::consts::FRAC_1_SQRT_2.to_bits()) as i32)
-            >> 23;
+        // Exponent of x over the least significand.
+        let e = (x.to_bits().wrapping_sub(least.to_bits()) as i32) >> 23;
         let m = f32::from_bits(x.to_bits().wrapping_sub((e << 23) as u32));
-        (m, e + shift)
+        (m, e.wrapping_add(shift))
     }
 
     #[inline(always)]
@@ -153,8 +173,19 @@ impl Float for f32 {
     }
 
     #[inline(always)]
+    fn cube_head(self) -> f32 {
+        self.leading_half()
+    }
+
+    #[inline(always)]
+    fn exponent_factor(self) -> f32 {
+        f32::from_bits(self.to_bits() & !0xFF)
+    }
+
+    #[inline(always)]
     fn cbrt_recip_guess(self) -> f32 {
-        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the
+        // first step.
         f32::from_bits(0x54A2_1000_u32.wrapping_sub(self.to_bits() / 3))
     }
 }

@@ -9,7 +9,7 @@ use crate::arithmetic::constants::Constants;
 use crate::scalar::Scalar;
 
 pub(crate) const fn power_of_two(n: i32) -> f64 {
-    f64::from_bits(((1023 + n) as u64) << 52)
+    f64::from_bits((n.wrapping_add(1023) as u64) << 52)
 }
 
 impl Scalar for f64 {
@@ -70,6 +70,9 @@ impl Scalar for f64 {
 
     #[inline(always)]
     fn sqrt(self) -> f64 {
+        #[cfg(feature = "std")]
+        return f64::sqrt(self);
+        #[cfg(not(feature = "std"))]
         libm::sqrt(self)
     }
 }
@@ -78,6 +81,7 @@ impl Float for f64 {
     const NEGLIGIBLE: f64 = power_of_two(-34);
     const ROOT_UP: f64 = power_of_two(54);
     const ROOT_DOWN: f64 = power_of_two(-27);
+    const COUNTS_QUARTERS: f64 = power_of_two(50);
     const CBRT_UP: f64 = power_of_two(300);
     const CBRT_DOWN: f64 = power_of_two(-100);
     const CBRT_STEPS: usize = 1;
@@ -85,15 +89,28 @@ impl Float for f64 {
     const CBRT_SECOND: f64 = 2.0 / 9.0;
     const CBRT_FOURTH: f64 = 14.0 / 81.0;
     const CBRT_RAISE: f64 = 1.0 + power_of_two(-26);
+    const ROOT_HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
+    const TINY_SINE: f64 = power_of_two(-105);
+    const TINY_UP: f64 = power_of_two(70);
+    const TINY_SHARE: f64 = power_of_two(-141);
+    const SLIGHT: f64 = power_of_two(-55);
+    const EXPONENT_LIMIT: f64 = power_of_two(20);
+    const LEAST_EXPONENT: i32 = -1022;
+    const TWICE_EXPONENT: i32 = 2000;
+    const LIFT_BELOW: f64 = power_of_two(-500);
+    const LIFT: f64 = power_of_two(512);
+    const DROP: f64 = power_of_two(-512);
+    const LIFT_EXPONENT: i32 = 512;
+    const EXACT_CUBE: bool = true;
+
+    #[inline(always)]
+    fn last_bits(self) -> u32 {
+        self.to_bits() as u32
+    }
 
     #[inline(always)]
     fn to_u32(self) -> u32 {
         self as u32
-    }
-
-    #[inline(always)]
-    fn to_i32(self) -> i32 {
-        self as i32
     }
 
     #[inline(always)]
@@ -111,14 +128,17 @@ impl Float for f64 {
         libm::log1p(self)
     }
 
-    #[inline]
-    fn exp(self) -> f64 {
-        libm::exp(self)
+    #[inline(always)]
+    fn nearest(self) -> (f64, i32) {
+        // Its last place is 1, and the lower half of its bits 0.
+        const CARRIER: f64 = 6_755_399_441_055_744.0;
+        let sum = self + CARRIER;
+        (sum - CARRIER, sum.to_bits() as i32)
     }
 
-    #[inline]
-    fn exp_m1(self) -> f64 {
-        libm::expm1(self)
+    #[inline(always)]
+    fn exp2(n: i32) -> f64 {
+        f64::from_bits((i64::from(n.wrapping_add(1023)) as u64) << 52)
     }
 
     #[inline]
@@ -126,18 +146,15 @@ impl Float for f64 {
         libm::scalbn(self, n)
     }
 
-    #[inline]
-    fn split(self) -> (f64, i32) {
+    #[inline(always)]
+    fn split(self, least: f64) -> (f64, i32) {
         let tiny = self < f64::MIN_POSITIVE;
-        let x = if tiny { self * power_of_two(53) } else { self };
+        let x = f64::select(tiny, self * power_of_two(53), self);
         let shift = if tiny { -53 } else { 0 };
-        // Exponent of x/√½, so that the significand runs from √½ to √2.
-        let e = (x
-            .to_bits()
-            .wrapping_sub(core::f64::consts::FRAC_1_SQRT_2.to_bits()) as i64)
-            >> 52;
+        // Exponent of x over the least significand.
+        let e = (x.to_bits().wrapping_sub(least.to_bits()) as i64) >> 52;
         let m = f64::from_bits(x.to_bits().wrapping_sub((e << 52) as u64));
-        (m, e as i32 + shift)
+        (m, (e as i32).wrapping_add(shift))
     }
 
     #[inline(always)]
@@ -146,8 +163,19 @@ impl Float for f64 {
     }
 
     #[inline(always)]
+    fn cube_head(self) -> f64 {
+        f64::from_bits(self.to_bits() & !0xFF_FFFF_FFFF)
+    }
+
+    #[inline(always)]
+    fn exponent_factor(self) -> f64 {
+        f64::from_bits(self.to_bits() & !0x7FF)
+    }
+
+    #[inline(always)]
     fn cbrt_recip_guess(self) -> f64 {
-        // Divides the exponent by −3; the constant restores the bias and centres the error of the first step.
+        // Divides the exponent by −3; the constant restores the bias and centres the error of the
+        // first step.
         f64::from_bits(0x553E_ECAA_AAAA_A800_u64.wrapping_sub(self.to_bits() / 3))
     }
 }

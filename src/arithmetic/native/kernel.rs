@@ -1,8 +1,11 @@
 //! The formulas' kernels in a hardware format.
 
+use super::exp2::Scale;
 use super::float::Float;
 use super::format::Native;
 use super::pair::Pair;
+use super::power::Cosine;
+use super::tail_root::TailRoot;
 use super::{atan, cbrt, kepler, power, root, trig, turn};
 use crate::arithmetic::constants::Constants;
 use crate::arithmetic::kernel::{Kernel, Wide};
@@ -53,6 +56,9 @@ impl<T: Native> Wide<T> for Pair<T> {
 
 impl<T: Native> Kernel for T {
     type Wide = Pair<T>;
+    type Cosine = Cosine<T>;
+    type Scale = Scale<T>;
+    type TailRoot = TailRoot<T>;
 
     const CONSTANTS: Constants<Pair<T>> = <T as Native>::CONSTANTS;
 
@@ -97,10 +103,6 @@ impl<T: Native> Kernel for T {
         trig::at_angle(theta)
     }
     #[inline(always)]
-    fn at_angle_fine(theta: T) -> CosSin<Pair<T>> {
-        trig::at_angle_fine(theta)
-    }
-    #[inline(always)]
     fn at_quadrant(quadrant: u32, x: T) -> CosSin<T> {
         turn::at_quadrant(quadrant, x)
     }
@@ -133,19 +135,39 @@ impl<T: Native> Kernel for T {
         power::ln(x)
     }
     #[inline(always)]
-    fn ln_cos_power(k: Pair<T>, at: CosSin<Pair<T>>) -> Pair<T> {
-        power::ln_cos_power(k, at)
+    fn cosine(at: CosSin<T>) -> Cosine<T> {
+        power::cosine(at)
     }
     #[inline(always)]
-    fn exp_times(a: Pair<T>, c: Pair<T>) -> T {
-        power::exp_times(a, c)
+    fn cosine_at_angle(theta: T) -> (Cosine<T>, T) {
+        power::cosine_at_angle(theta)
     }
     #[inline(always)]
-    fn one_minus_exp(a: Pair<T>) -> T {
-        power::one_minus_exp(a)
+    fn scale(x: Pair<T>) -> Scale<T> {
+        Scale::new(x)
     }
     #[inline(always)]
-    fn power_warp(p: Tails<T>, n: Pair<T>) -> CosSin<T> {
-        power::warp(p, n)
+    fn two_over(x: Pair<T>) -> Scale<T> {
+        Scale::two_over(x)
+    }
+    #[inline(always)]
+    fn power_times(k: Pair<T>, at: Cosine<T>, scale: Scale<T>, factor: T) -> T {
+        power::power_times(k, at, scale, factor)
+    }
+    #[inline(always)]
+    fn ln_power_times_sine(k: Pair<T>, at: Cosine<T>, c: Pair<T>) -> T {
+        power::ln_power_times_sine(k, at, c)
+    }
+    #[inline(always)]
+    fn power_tails(n: Pair<T>, at: Cosine<T>) -> (T, T) {
+        power::power_tails(n, at)
+    }
+    #[inline(always)]
+    fn tail_root(n: Pair<T>) -> TailRoot<T> {
+        TailRoot::new(n)
+    }
+    #[inline(always)]
+    fn power_warp(p: Tails<T>, root: TailRoot<T>) -> CosSin<T> {
+        root.at(p)
     }
 }

@@ -7,11 +7,11 @@ use crate::arithmetic::native::format::Native;
 /// (∫ cosⁿθ, ∫ θ cosⁿθ): asymptotic series at n + 2m ≥ 32, then down by the recurrences.
 pub(crate) fn cosine_integrals<T: Native>(n: T) -> (T, T) {
     let steps = if n < T::int(32) {
-        (T::int(33) - n).to_u32() / 2 + 1
+        ((T::int(33) - n).to_u32() / 2).wrapping_add(1)
     } else {
         0
     };
-    let mut top = n + T::int(2 * steps as i16);
+    let mut top = n + T::int((steps as i16).wrapping_mul(2));
     // √(π/2t) (1 + a₁/m² + …), t = n + ½, m = t/2.
     let m = (top + T::HALF) * T::HALF;
     let shape = horner(T::ONE / m / m, T::TABLE.cosine_integral);

@@ -15,6 +15,11 @@ impl<T: Float> Pair<T> {
         Pair { hi, lo: T::ZERO }
     }
 
+    /// a/b.
+    pub(crate) fn ratio(a: i16, b: i16) -> Self {
+        Pair::exact(T::int(a)).div(Pair::exact(T::int(b)))
+    }
+
     /// a + b without error, for |a| ≥ |b| or a = 0.
     #[inline(always)]
     pub(crate) fn fast_two_sum(a: T, b: T) -> Self {
@@ -75,6 +80,16 @@ impl<T: Float> Pair<T> {
         Pair {
             hi: self.hi * b.hi,
             lo: self.hi * b.lo + self.lo * b.hi,
+        }
+    }
+
+    /// As [`mul`](Self::mul), not normalised: the trailing word may be a few last places.
+    #[inline(always)]
+    pub(crate) fn mul_raw(self, b: Self) -> Self {
+        let p = Self::two_prod(self.hi, b.hi);
+        Pair {
+            hi: p.hi,
+            lo: p.lo + (self.hi * b.lo + self.lo * b.hi),
         }
     }
 

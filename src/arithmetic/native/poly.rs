@@ -1,7 +1,5 @@
-//! Horner's rule, plain and with leading coefficients as pairs.
+//! Sums of powers.
 
-use super::pair::Pair;
-use super::table::Series;
 use crate::arithmetic::native::format::Native;
 
 /// Σ cᵢ xⁱ.
@@ -13,7 +11,8 @@ pub(crate) fn horner<T: Native>(x: T, c: &[T]) -> T {
     }
 }
 
-/// Σ cᵢ xⁱ for a long series: every fourth term by itself, so that the sums do not wait for each other.
+/// Σ cᵢ xⁱ for a long series: every fourth term by itself, so that the sums do not wait for each
+/// other.
 #[inline(always)]
 pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
     let x2 = x * x;
@@ -23,11 +22,4 @@ pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
         terms.reduce(|sum, k| sum * x4 + k).unwrap_or(T::ZERO)
     };
     (sum(0) + x2 * sum(2)) + x * (sum(1) + x2 * sum(3))
-}
-
-/// Σ cᵢ xⁱ with the leading terms summed as pairs.
-#[inline]
-pub(crate) fn horner_pair<T: Native>(x: Pair<T>, c: &Series<T>) -> Pair<T> {
-    let tail = Pair::exact(horner(x.hi, c.tail));
-    c.head.iter().rev().fold(tail, |sum, &k| sum.mul(x).add(k))
 }

@@ -4,7 +4,7 @@ use super::pair::Pair;
 use crate::arithmetic::native::format::Native;
 
 /// √x to the last bit or nearly so, for x > 0 that is far from under- and overflow.
-#[inline]
+#[inline(always)]
 pub(crate) fn sqrt_pair<T: Native>(x: Pair<T>) -> T {
     let root = x.hi.sqrt();
     let square = Pair::two_prod(root, root);

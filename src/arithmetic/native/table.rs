@@ -1,22 +1,10 @@
 //! The coefficients that a format brings to the kernels.
 
 use super::pair::Pair;
-use crate::Moments;
 
-/// A power series whose leading coefficients are kept as pairs.
-pub(crate) struct Series<T: 'static> {
-    pub(crate) head: &'static [Pair<T>],
-    pub(crate) tail: &'static [T],
-}
-
-/// Moments and coefficients of a format; `table_f32.rs` and `table_f64.rs` say what each approximates.
+/// Coefficients of a format; `coefficients_f32.rs` and `coefficients_f64.rs` say what each
+/// approximates.
 pub struct Table<T: 'static> {
-    pub(crate) disk_moments: Moments<T>,
-    pub(crate) circle_shell_moments: Moments<T>,
-    pub(crate) circle_arc_moments: Moments<T>,
-    pub(crate) ball_moments: Moments<T>,
-    pub(crate) sphere_shell_moments: Moments<T>,
-    pub(crate) lambert_moments: Moments<T>,
     pub(crate) sin: &'static [T],
     pub(crate) cos: &'static [T],
     pub(crate) sin_turn: &'static [T],
@@ -29,7 +17,23 @@ pub struct Table<T: 'static> {
     pub(crate) atan: &'static [T],
     pub(crate) cosine_integral: &'static [T],
     pub(crate) angle_integral: &'static [T],
-    pub(crate) sin_series: Series<T>,
-    pub(crate) cos_series: Series<T>,
-    pub(crate) atanh_series: Series<T>,
+    pub(crate) atanh: &'static [T],
+    pub(crate) exp2_bend: &'static [T],
+    pub(crate) log_series: &'static [T],
+    pub(crate) sine_tail: &'static [T],
+    pub(crate) log_parts: [Part<T>; 4],
+    pub(crate) log_turn: T,
+    pub(crate) log2_e: Pair<T>,
+    pub(crate) ln_2: Pair<T>,
+    pub(crate) third: Pair<T>,
+    pub(crate) half_pi_rest: T,
+    pub(crate) sine_head: &'static [Pair<T>],
+}
+
+/// A factor c for significands from `from` on, and log₂ 1/c, whose leading part is short.
+#[derive(Clone, Copy)]
+pub(crate) struct Part<T> {
+    pub(crate) from: T,
+    pub(crate) factor: T,
+    pub(crate) log: Pair<T>,
 }

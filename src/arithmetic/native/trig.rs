@@ -1,7 +1,7 @@
 //! (cos θ, sin θ) of an angle within the support.
 
 use super::pair::Pair;
-use super::poly::{horner, horner_pair};
+use super::poly::horner;
 use crate::CosSin;
 use crate::arithmetic::native::format::Native;
 
@@ -18,7 +18,7 @@ fn swap_if<T>(at: CosSin<T>, swap: bool) -> CosSin<T> {
 }
 
 /// ln cos θ. Near the axis it is read from the sine: ln of a cosine near 1 has few digits.
-#[inline]
+#[inline(always)]
 pub(crate) fn ln_cos<T: Native>(at: CosSin<Pair<T>>) -> T {
     if at.cos.hi < at.sin.hi {
         at.cos.value().ln()
@@ -43,9 +43,9 @@ fn fold<T: Native>(theta: T) -> (Pair<T>, bool) {
     (if far { from_end(a) } else { Pair::exact(a) }, far)
 }
 
-/// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the pdf of
-/// `CircleShell`, whose row in the accuracy table is its error and one rounding.
-#[inline]
+/// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the
+/// pdf of `CircleShell`, whose row in the accuracy table is its error and one rounding.
+#[inline(always)]
 pub(crate) fn small<T: Native>(x: Pair<T>) -> CosSin<Pair<T>> {
     // Too small to count is 0: subnormal products stall some processors a hundredfold.
     let v = x.hi * x.hi;
@@ -65,20 +65,52 @@ pub(crate) fn small<T: Native>(x: Pair<T>) -> CosSin<Pair<T>> {
 }
 
 /// (cos θ, |sin θ|) for |θ| ≤ π/2.
-#[inline]
+#[inline(always)]
 pub(crate) fn at_angle<T: Native>(theta: T) -> CosSin<Pair<T>> {
     let (x, far) = fold(theta);
     swap_if(small(x), far)
 }
 
-/// As [`at_angle`], to about 2⁻⁶⁴ (f64) or 2⁻³³ (f32) relative.
-#[inline]
-pub(crate) fn at_angle_fine<T: Native>(theta: T) -> CosSin<Pair<T>> {
-    let (x, far) = fold(theta);
-    let v = x.mul(x);
-    let sin = x.mul(v).mul(horner_pair(v, &T::TABLE.sin_series)).add(x);
-    let cos = v
-        .mul(horner_pair(v, &T::TABLE.cos_series))
-        .add(Pair::exact(T::ONE));
-    swap_if(CosSin { cos, sin }, far)
+/// sin x for 0 ≤ x ≤ π/4 to about 2⁻³² (`f32`) or 2⁻⁶⁴ (`f64`) of itself; not normalised.
+#[inline(always)]
+fn sine<T: Native>(x: Pair<T>) -> Pair<T> {
+    let v = x.mul_raw(x);
+    let tail = v.hi * horner(v.hi, T::TABLE.sine_tail);
+    let mut sum = Pair {
+        hi: tail,
+        lo: T::ZERO,
+    };
+    for (i, &c) in T::TABLE.sine_head.iter().rev().enumerate() {
+        let rest = if i == 0 { sum } else { sum.mul_raw(v) };
+        let first = Pair::fast_two_sum(c.hi, rest.hi);
+        sum = Pair {
+            hi: first.hi,
+            lo: first.lo + (c.lo + rest.lo),
+        };
+    }
+    let bend = x.mul_raw(v).mul_raw(sum);
+    let first = Pair::fast_two_sum(x.hi, bend.hi);
+    Pair {
+        hi: first.hi,
+        lo: first.lo + (x.lo + bend.lo),
+    }
+}
+
+/// The smaller of cos θ and |sin θ| for |θ| ≤ π/2 with the digits that a power needs, whether it
+/// is cos θ, and the other.
+#[inline(always)]
+pub(crate) fn sine_at_angle<T: Native>(theta: T) -> (Pair<T>, bool, T) {
+    let a = theta.abs();
+    let far = a > T::CONSTANTS.half_pi.hi * T::HALF;
+    // Three words of π/2: beside it the first two cancel, and a power multiplies what is left out.
+    let d = Pair::fast_two_sum(T::CONSTANTS.half_pi.hi, -a);
+    let s = Pair::fast_two_sum(d.hi, T::CONSTANTS.half_pi.lo);
+    let end = Pair::fast_two_sum(s.hi, s.lo + (d.lo + T::TABLE.half_pi_rest));
+    let x = Pair {
+        hi: T::select(far, end.hi, a),
+        lo: T::select(far, end.lo, T::ZERO),
+    };
+    let v = x.hi * x.hi;
+    let other = T::ONE - (v * T::HALF - v * v * horner(v, T::TABLE.cos));
+    (sine(x), far, other)
 }

@@ -17,13 +17,13 @@ fn eighth<T: Native>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
     }
 }
 
-/// The pair at `quadrant`/4 + x turns, |x| ≤ 1/8.
-#[inline]
+/// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8.
+#[inline(always)]
 pub(crate) fn at_quadrant<T: Native>(quadrant: u32, x: T) -> CosSin<T> {
     into_quadrant(quadrant, eighth(x, x, T::CONSTANTS.two_pi, T::ONE))
 }
 
-/// The pair `at` turned on by `quadrant` right angles.
+/// The direction `at`, turned on by `quadrant` right angles.
 #[inline(always)]
 pub(crate) fn into_quadrant<T: Scalar>(quadrant: u32, at: CosSin<T>) -> CosSin<T> {
     let (cos, sin) = T::swap_factors_if_odd(quadrant, at.cos, at.sin);
@@ -36,9 +36,10 @@ pub(crate) fn into_quadrant<T: Scalar>(quadrant: u32, at: CosSin<T>) -> CosSin<T
 
 /// The patterns (a, b), or (b, a) if n is odd.
 ///
-/// By their difference, which takes the fewest instructions; on x86 by masks. Its compilers lay two `f32` into one vector
-/// of four, whose idle lanes would hold the difference: a denormal number as a rule, and a hundred cycles
-/// for each product with it (`Lambert` took twice the time). A mask leaves them 0.
+/// By their difference, which takes the fewest instructions; on x86 by masks. There a compiler
+/// puts the two `f32` into one vector of four, and their difference into its unused lanes. It is
+/// mostly a subnormal number, with which every product takes a hundred cycles more (`Lambert` took
+/// twice the time); masks leave zeros there.
 #[inline(always)]
 pub(crate) fn merge_if_odd(n: u32, a: u32, b: u32) -> (u32, u32) {
     if cfg!(any(target_arch = "x86", target_arch = "x86_64")) {
@@ -50,15 +51,25 @@ pub(crate) fn merge_if_odd(n: u32, a: u32, b: u32) -> (u32, u32) {
     }
 }
 
-/// The pair at u turns, 0 ≤ u ≤ 1.
-#[inline]
+/// (q, x): u turns as the nearest q quarters and x turns, for 0 ≤ u ≤ 1.
+///
+/// A sum whose last place is a quarter rounds to one, and counts them in its last bits: no
+/// conversion.
+#[inline(always)]
+pub(crate) fn nearest_quarter<T: Native>(u: T) -> (u32, T) {
+    let sum = u + T::COUNTS_QUARTERS;
+    (sum.last_bits(), u - (sum - T::COUNTS_QUARTERS))
+}
+
+/// (cos, sin) at u turns, 0 ≤ u ≤ 1.
+#[inline(always)]
 pub(crate) fn at_turn<T: Native>(u: T) -> CosSin<T> {
-    let quadrant = (u * T::int(4) + T::HALF).to_u32();
-    at_quadrant(quadrant, u - T::int(quadrant as i16) * T::QUARTER)
+    let (quadrant, x) = nearest_quarter(u);
+    at_quadrant(quadrant, x)
 }
 
 /// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ 1/2: cos is that of the angle from the axis.
-#[inline]
+#[inline(always)]
 pub(crate) fn half_turn<T: Native>(p: T) -> CosSin<T> {
     let d = T::HALF - p;
     // The argument stays p: half a subnormal p would lose its last bit.

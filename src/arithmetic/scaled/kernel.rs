@@ -1,10 +1,11 @@
-//! The kernels of [`Scaled`]: double-double's where its exponents reach, else the leading term, which is
-//! then exact to all digits.
+//! The kernels of [`Scaled`]: those of double-double where its exponents reach, else the leading
+//! term of the series, which there has all digits.
 
 use super::{DIGITS, Scaled};
 use crate::arithmetic::constants::Constants;
 use crate::arithmetic::double::{Double, angle, disk, log_exp, root};
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::logarithmic::{self, Logarithmic};
 use crate::arithmetic::native::turn::into_quadrant;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
@@ -56,6 +57,9 @@ fn disk_end(p: Scaled) -> Scaled {
 
 impl Kernel for Scaled {
     type Wide = Scaled;
+    type Cosine = CosSin<Self>;
+    type Scale = Self;
+    type TailRoot = Self;
 
     const CONSTANTS: Constants<Scaled> = constants(&Double::CONSTANTS);
 
@@ -112,9 +116,6 @@ impl Kernel for Scaled {
         }
         pair(angle::at_angle(theta.double().hi))
     }
-    fn at_angle_fine(theta: Self) -> CosSin<Self> {
-        Self::at_angle(theta)
-    }
     fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
         let at = if x.is_below(-HALF_DIGITS) {
             CosSin {
@@ -168,30 +169,30 @@ impl Kernel for Scaled {
     fn ln_wide(x: Self) -> Self {
         Kernel::ln(x)
     }
-    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
-        let product = k * Self::ln_cos(at);
-        // A pair that is no unit vector: the logarithm is −∞, and k tells the sign.
-        if product.is_finite() {
-            product
-        } else if k > Self::ZERO {
-            -Self::INFINITY
-        } else {
-            Self::INFINITY
-        }
+    fn cosine(at: CosSin<Self>) -> CosSin<Self> {
+        at
     }
-    fn exp_times(a: Self, c: Self) -> Self {
-        if a.is_below(-DIGITS) {
-            return c;
-        }
-        let (part, n) = log_exp::exp(a.double());
-        c * Self::new(part, n)
+    fn cosine_at_angle(theta: Self) -> (CosSin<Self>, Self) {
+        let at = Self::at_angle(theta);
+        (at, at.sin)
     }
-    fn one_minus_exp(a: Self) -> Self {
-        if a.is_below(-DIGITS) {
-            return -a;
-        }
-        // Of an exact 0, the positive one.
-        Self::from_double(log_exp::exp_m1(a.double())).abs()
+    fn scale(x: Self) -> Self {
+        x
+    }
+    fn two_over(x: Self) -> Self {
+        Self::int(2) / x
+    }
+    fn power_times(k: Self, at: CosSin<Self>, scale: Self, factor: Self) -> Self {
+        logarithmic::power_times(k, at, scale * factor)
+    }
+    fn ln_power_times_sine(k: Self, at: CosSin<Self>, c: Self) -> Self {
+        logarithmic::ln_power_times_sine(k, at, c)
+    }
+    fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
+        logarithmic::power_tails(n, at)
+    }
+    fn tail_root(n: Self) -> Self {
+        n
     }
     fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
         let (lower, upper) = (p.lower(), p.upper());
@@ -213,5 +214,33 @@ impl Kernel for Scaled {
             cos: Self::exp_times(a, Self::ONE),
             sin: Self::one_minus_exp(a + a).sqrt(),
         }
+    }
+}
+
+impl Logarithmic for Scaled {
+    fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
+        let product = k * Self::ln_cos(at);
+        // At what is no unit vector the logarithm is −∞, and k tells the sign.
+        if product.is_finite() {
+            product
+        } else if k > Self::ZERO {
+            -Self::INFINITY
+        } else {
+            Self::INFINITY
+        }
+    }
+    fn exp_times(a: Self, c: Self) -> Self {
+        if a.is_below(-DIGITS) {
+            return c;
+        }
+        let (part, n) = log_exp::exp(a.double());
+        c * Self::new(part, n)
+    }
+    fn one_minus_exp(a: Self) -> Self {
+        if a.is_below(-DIGITS) {
+            return -a;
+        }
+        // Of an exact 0, the positive one.
+        Self::from_double(log_exp::exp_m1(a.double())).abs()
     }
 }

@@ -1,5 +1,8 @@
-//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing words
-//! of a plain double-double would underflow.
+//! Double-double with an exponent of its own: what `Precise<f64>` computes in where the trailing
+//! parts of a plain double-double would underflow.
+//!
+//! Exponents stay below 2²⁷, so that nothing wraps in sums of two; `wrapping_…` spares their
+//! checks.
 
 mod kernel;
 #[cfg(test)]
@@ -19,10 +22,10 @@ pub struct Scaled {
     pub(crate) exponent: i32,
 }
 
-/// Beyond 2^±this a number is ∞ or 0. Far beyond what any formula reaches before its result is.
+/// Beyond 2^±this a number is ∞ or 0: farther than any formula goes on its way to a finite result.
 const MOST: i32 = 1 << 26;
 
-/// Below 2 to the minus this, a summand counts for nothing beside 1.
+/// 1 + x is 1 for x below 2 to the minus this.
 const DIGITS: i32 = 120;
 
 impl Scaled {
@@ -38,7 +41,8 @@ impl Scaled {
                 exponent: 0,
             };
         }
-        // At the ends of f64's exponents a step towards the middle, since 2⁻ᵉ below must be a normal number.
+        // At the ends of f64's exponents a step towards the middle, since 2⁻ᵉ below must be a
+        // normal number.
         if e > 900 || e < -900 {
             let step = if e > 0 { -200 } else { 200 };
             let power = power_of_two(step);
@@ -46,10 +50,11 @@ impl Scaled {
                 hi: part.hi * power,
                 lo: part.lo * power,
             };
-            return Self::new(part, exponent - step);
+            return Self::new(part, exponent.wrapping_sub(step));
         }
-        if exponent + e > MOST || exponent + e < -MOST {
-            let beyond = if exponent + e > 0 { f64::INFINITY } else { 0.0 };
+        let whole = exponent.wrapping_add(e);
+        if whole > MOST || whole < -MOST {
+            let beyond = if whole > 0 { f64::INFINITY } else { 0.0 };
             return Scaled {
                 part: Double {
                     hi: if part.hi < 0.0 { -beyond } else { beyond },
@@ -64,7 +69,7 @@ impl Scaled {
                 hi: part.hi * power,
                 lo: part.lo * power,
             },
-            exponent: exponent + e,
+            exponent: whole,
         }
     }
 
@@ -86,7 +91,7 @@ impl Scaled {
 
     /// self·2ⁿ.
     pub(crate) fn times_power(self, n: i32) -> Self {
-        Self::new(self.part, self.exponent + n)
+        Self::new(self.part, self.exponent.wrapping_add(n))
     }
 
     /// (part, e) with self = part·2^(n·e).
@@ -94,7 +99,7 @@ impl Scaled {
         let rest = self.exponent.rem_euclid(n);
         (
             scaled(self.part, power_of_two(rest)),
-            (self.exponent - rest) / n,
+            self.exponent.wrapping_sub(rest) / n,
         )
     }
 
@@ -120,11 +125,11 @@ impl Add for Scaled {
         } else {
             (self, b)
         };
-        let gap = large.exponent - small.exponent;
+        let gap = large.exponent.wrapping_sub(small.exponent);
         if gap > DIGITS {
             return large;
         }
-        let sum = large.part + scaled(small.part, power_of_two(-gap));
+        let sum = large.part + scaled(small.part, power_of_two(gap.wrapping_neg()));
         Self::new(sum, large.exponent)
     }
 }
@@ -139,14 +144,14 @@ impl Sub for Scaled {
 impl Mul for Scaled {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
-        Self::new(self.part * b.part, self.exponent + b.exponent)
+        Self::new(self.part * b.part, self.exponent.wrapping_add(b.exponent))
     }
 }
 
 impl Div for Scaled {
     type Output = Self;
     fn div(self, b: Self) -> Self {
-        Self::new(self.part / b.part, self.exponent - b.exponent)
+        Self::new(self.part / b.part, self.exponent.wrapping_sub(b.exponent))
     }
 }
 

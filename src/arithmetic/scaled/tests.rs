@@ -1,15 +1,16 @@
-//! The kernels of `Scaled` against those of plain double-double, where both reach: above all around the
-//! exponents from which the leading term is taken.
+//! The kernels of `Scaled` against those of plain double-double, where both reach: above all
+//! around the exponents from which the leading term is taken.
 
 extern crate std;
 
 use super::*;
 use crate::arithmetic::kernel::Kernel;
+use crate::arithmetic::logarithmic::Logarithmic;
 use crate::{CosSin, Tails};
 use std::{vec, vec::Vec};
 
 /// Every kernel at x < ½, in an arithmetic.
-fn kernels<W: Kernel<Wide = W>>(x: W) -> Vec<W> {
+fn kernels<W: Logarithmic + Kernel<TailRoot = W>>(x: W) -> Vec<W> {
     let pair = |at: CosSin<W>| [at.cos, at.sin];
     let steep = CosSin {
         cos: x,
@@ -48,7 +49,6 @@ fn kernels<W: Kernel<Wide = W>>(x: W) -> Vec<W> {
     ];
     for at in [
         W::at_angle(x),
-        W::at_angle_fine(x),
         W::at_quadrant(3, x * W::QUARTER),
         W::at_turn(x),
         W::half_turn(x),
@@ -99,7 +99,7 @@ fn the_ends_are_total() {
     assert_eq!(one / square, zero);
 }
 
-/// Leading words that cancel leave the trailing ones.
+/// Leading parts that cancel leave the trailing ones.
 #[test]
 fn a_difference_of_trailing_words_is_not_lost() {
     let small = power_of_two(-70);

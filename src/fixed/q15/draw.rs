@@ -2,8 +2,10 @@
 
 use super::root::{less_square, scaled};
 use super::turn::eighth;
+use crate::CosSin;
+use crate::fixed::drawn::Drawn;
 use ::fixed::types::I1F15;
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// The larger of a word's halves, and below it the smaller: Q32.
 #[inline(always)]
@@ -11,26 +13,27 @@ fn ordered(word: u32) -> u32 {
     word.max(word.rotate_right(16))
 }
 
-/// The largest of N = 2, 3 or 4 uniform half-words, in Q32, and the half that N = 3 leaves.
+/// The largest of N = 2, 3 or 4 uniform half-words, in Q32, and the upper half that N = 3 leaves.
 ///
 /// X has the law of U^(1/N). Near 1 it continues with the bits of the halves that lost: given the
 /// maximum they are uniform below it, so their exclusive or is uniform (to 1 − X, relatively).
 #[inline(always)]
-pub(crate) fn largest<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
-    let first = rng.next_u32();
+pub(crate) fn largest<const N: usize, R: TryRng + ?Sized>(
+    rng: &mut R,
+) -> Result<(u32, u32), R::Error> {
+    let first = rng.try_next_u32()?;
     if N == 2 {
-        return (ordered(first), 0);
+        return Ok((ordered(first), 0));
     }
-    let second = rng.next_u32();
-    let other = if N == 3 { second } else { ordered(second) };
-    let largest = ordered(first).max(other) >> 16;
-    let halves = if N == 3 {
-        second >> 16
+    let second = rng.try_next_u32()?;
+    let (other, halves) = if N == 3 {
+        (second << 16, second)
     } else {
-        second ^ (second >> 16)
+        (ordered(second), second ^ (second >> 16))
     };
+    let largest = ordered(first).max(other) >> 16;
     let mixed = first ^ (first >> 16) ^ halves ^ largest;
-    ((largest << 16) | (mixed & 0xFFFF), second << 16)
+    Ok(((largest << 16) | (mixed & 0xFFFF), second & 0xFFFF_0000))
 }
 
 /// A magnitude in Q15 with the sign of `sign`'s top bit.
@@ -43,7 +46,7 @@ fn signed(magnitude: u32, sign: u32) -> I1F15 {
 /// \[sin θ cos φ, cos θ, sin θ sin φ\] of cos θ in Q32, and an azimuth that needs no order: two
 /// bits are the signs, one exchanges cos φ and sin φ, the next 16 are |φ| in eighths of a turn.
 #[inline(always)]
-pub(crate) fn spatial(cos: u32, phase: u32) -> [I1F15; 3] {
+pub(crate) fn spatial(cos: u32, phase: u32) -> Drawn<[I1F15; 3]> {
     let sin = scaled::<32>(less_square(cos), 0) >> 16;
     let (x, z) = eighth((phase << 3) >> 16);
     let swap = (x ^ z) & (((phase << 2) as i32) >> 31) as u32;
@@ -56,9 +59,14 @@ pub(crate) fn spatial(cos: u32, phase: u32) -> [I1F15; 3] {
     // From 0 to 1, less one unit; and to at least one, without a comparison.
     let along = ((cos >> 16) + 1) >> 1;
     let along = along - (along >> 15) + (along.wrapping_sub(1) >> 31);
-    [
+    let direction = [
         signed(part(x ^ swap), phase << 1),
         I1F15::from_bits(along as i16),
         signed(part(z ^ swap), phase),
-    ]
+    ];
+    let at = CosSin {
+        cos: (along << 16) as i32,
+        sin: (sin << 15) as i32,
+    };
+    Drawn { direction, at }
 }

@@ -6,6 +6,7 @@
 pub(crate) mod angle;
 pub(crate) mod coefficients;
 mod draw;
+mod frame;
 pub(crate) mod kepler;
 pub(crate) mod root;
 #[cfg(test)]
@@ -13,10 +14,11 @@ mod tests;
 pub(crate) mod turn;
 pub(crate) mod word;
 
-use super::format::{Format, Turn};
+use super::drawn::Drawn;
+use super::format::{Component, Format, Turn};
 use super::planar;
 use ::fixed::types::{I0F16, I1F15, U0F16};
-use rand_core::Rng;
+use rand_core::TryRng;
 use word::ONE;
 
 /// Components in Q15, all else in Q16.
@@ -24,6 +26,10 @@ use word::ONE;
 pub struct Q15;
 
 impl Turn for I0F16 {
+    type Format = Q15;
+}
+
+impl Component for I1F15 {
     type Format = Q15;
 }
 
@@ -50,6 +56,11 @@ impl Format for Q15 {
     #[inline(always)]
     fn probability(q32: u32) -> U0F16 {
         U0F16::from_bits(word::rounded(q32) as u16)
+    }
+
+    #[inline(always)]
+    fn phase(q32: u32) -> U0F16 {
+        U0F16::from_bits((q32.wrapping_add(1 << 15) >> 16) as u16)
     }
 
     #[inline(always)]
@@ -143,28 +154,75 @@ impl Format for Q15 {
         angle::first_quadrant(cos, sin)
     }
 
+    /// 2⁻¹²: of components that are off by 2 units.
+    const LENGTH_SLACK: u64 = 1 << 50;
+    /// 2⁻¹² of the length: eight units.
+    const SLACK: u32 = 1 << 19;
+
     #[inline(always)]
-    fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 3] {
-        let (cos, spare) = draw::largest::<N, R>(rng);
+    fn units(component: I1F15) -> i32 {
+        i32::from(component.to_bits()).max(-0x7FFF)
+    }
+
+    #[inline(always)]
+    fn of_units(units: i32) -> I1F15 {
+        I1F15::from_bits(units as i16)
+    }
+
+    #[inline(always)]
+    fn square_off(normal: [i32; 3]) -> u32 {
+        frame::square_off(normal)
+    }
+
+    #[inline(always)]
+    fn frame_recip(z: i32) -> i32 {
+        frame::recip(z)
+    }
+
+    #[inline(always)]
+    fn to_world(normal: [i32; 3], recip: i32, local: [i32; 3]) -> [i32; 3] {
+        frame::to_world(normal, recip, local)
+    }
+
+    #[inline(always)]
+    fn to_local(normal: [i32; 3], recip: i32, world: [i32; 3]) -> [i32; 3] {
+        frame::to_local(normal, recip, world)
+    }
+
+    #[inline(always)]
+    fn part(sin: i32, part: i32) -> I1F15 {
+        let [a, b] = [sin, part].map(|c| Self::clamped(c).wrapping_add(1 << 15) >> 16);
+        I1F15::from_bits((a.wrapping_mul(b).wrapping_add(1 << 14) >> 15) as i16)
+    }
+
+    #[inline(always)]
+    fn lobe<const N: usize, R: TryRng + ?Sized>(
+        rng: &mut R,
+    ) -> Result<Drawn<[I1F15; 3]>, R::Error> {
+        let (cos, spare) = draw::largest::<N, R>(rng)?;
         // Half a step, which centres the azimuths of a half-word.
         let phase = if N == 3 {
             spare | (1 << 15)
         } else {
-            rng.next_u32()
+            rng.try_next_u32()?
         };
-        draw::spatial(cos, phase)
+        Ok(draw::spatial(cos, phase))
     }
 
     #[inline(always)]
-    fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
+    fn largest_of_three<R: TryRng + ?Sized>(rng: &mut R) -> Result<(u32, u32), R::Error> {
         draw::largest::<3, R>(rng)
     }
 
-    /// v = 1 − |sin θ| is a word, and its lowest bit the sign.
+    /// A word's top bit is the sign, the others are v = 1 − |sin θ|.
     #[inline(always)]
-    fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F15; 2] {
-        let v = rng.next_u32();
-        let (sin, sign) = (!v >> 1, v << 31);
-        planar::direction::<Q15>(root::complement::<32>(v | 1), sin, sign)
+    fn chord<R: TryRng + ?Sized>(rng: &mut R) -> Result<Drawn<[I1F15; 2]>, R::Error> {
+        let word = rng.try_next_u32()?;
+        let v = (word << 1) | 1;
+        Ok(planar::direction::<Q15>(
+            root::complement::<32>(v),
+            !v >> 1,
+            word,
+        ))
     }
 }

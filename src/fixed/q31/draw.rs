@@ -2,11 +2,13 @@
 
 use super::Q31;
 use super::turn::quarter;
+use crate::CosSin;
+use crate::fixed::drawn::Drawn;
 use crate::fixed::format::Format;
 use crate::fixed::kernel::mul::mul_high;
 use crate::fixed::kernel::signed;
 use ::fixed::types::I1F31;
-use rand_core::Rng;
+use rand_core::TryRng;
 
 /// The largest of N uniform words, X, in Q64.
 ///
@@ -15,14 +17,16 @@ use rand_core::Rng;
 /// the words that lost: given the maximum they are uniform below it, so their exclusive or is
 /// uniform (to 1 − X, relatively).
 #[inline(always)]
-pub(crate) fn largest<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
+pub(crate) fn largest<const N: usize, R: TryRng + ?Sized>(
+    rng: &mut R,
+) -> Result<(u32, u32), R::Error> {
     let (mut largest, mut mixed) = (0, 0);
     for _ in 0..N {
-        let word = rng.next_u32();
+        let word = rng.try_next_u32()?;
         largest = word.max(largest);
         mixed ^= word;
     }
-    (largest, mixed ^ largest)
+    Ok((largest, mixed ^ largest))
 }
 
 /// 1 − X in Q64, never 0.
@@ -31,24 +35,33 @@ pub(crate) fn less((high, low): (u32, u32)) -> u64 {
     (u64::from(!high) << 32) | u64::from(!low | 1)
 }
 
-/// Two words as one uniform number in Q64, never 0; its lowest bit is free for a sign.
+/// Two words as one, the first on top.
 #[inline(always)]
-pub(crate) fn long<R: Rng + ?Sized>(rng: &mut R) -> u64 {
-    let high = rng.next_u32();
-    (u64::from(high) << 32) | u64::from(rng.next_u32())
+pub(crate) fn long<R: TryRng + ?Sized>(rng: &mut R) -> Result<u64, R::Error> {
+    let high = rng.try_next_u32()?;
+    Ok((u64::from(high) << 32) | u64::from(rng.try_next_u32()?))
 }
 
 /// \[sin θ cos φ, cos θ, sin θ sin φ\] for an azimuth of one more word.
 #[inline(always)]
-pub(crate) fn spatial<R: Rng + ?Sized>(cos: u32, sin: u32, rng: &mut R) -> [I1F31; 3] {
-    let phase = rng.next_u32();
+pub(crate) fn spatial<R: TryRng + ?Sized>(
+    cos: u32,
+    sin: u32,
+    rng: &mut R,
+) -> Result<Drawn<[I1F31; 3]>, R::Error> {
+    let phase = rng.try_next_u32()?;
     let (x, z) = quarter(phase << 2);
     let swap = (x ^ z) & (((phase << 1) as i32) >> 31) as u32;
-    let sin = Q31::inside(sin) << 1;
-    let along = |part: u32, sign: u32| I1F31::from_bits(signed(mul_high(sin, part), sign));
-    [
+    let (cos, sin) = (Q31::inside(cos), Q31::inside(sin));
+    let along = |part: u32, sign| I1F31::from_bits(signed(mul_high(sin << 1, part), sign));
+    let direction = [
         along(x ^ swap, phase ^ (phase << 1)),
-        I1F31::from_bits(Q31::inside(cos) as i32),
+        I1F31::from_bits(cos as i32),
         along(z ^ swap, phase),
-    ]
+    ];
+    let at = CosSin {
+        cos: cos as i32,
+        sin: sin as i32,
+    };
+    Ok(Drawn { direction, at })
 }

@@ -8,7 +8,8 @@ use crate::fixed::kernel::mul::mul_high;
 use crate::fixed::kernel::normal::normal;
 
 /// m·2ᵉ⁻³². Every product keeps the top bit or the one below it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Number {
     pub(crate) m: u32,
     pub(crate) e: i32,

@@ -4,6 +4,7 @@ pub(crate) mod angle;
 pub(crate) mod cbrt;
 pub(crate) mod coefficients;
 pub(crate) mod draw;
+mod frame;
 pub(crate) mod kepler;
 pub(crate) mod log;
 pub(crate) mod recip;
@@ -12,11 +13,12 @@ pub(crate) mod sqrt;
 mod tests;
 pub(crate) mod turn;
 
-use super::format::{Format, Turn};
+use super::drawn::Drawn;
+use super::format::{Component, Format, Turn};
 use super::kernel::{mul, signed};
 use super::planar;
 use ::fixed::types::{I0F32, I1F31, U0F32};
-use rand_core::Rng;
+use rand_core::TryRng;
 use turn::ONE;
 
 /// Components in Q31, all else in Q32.
@@ -24,6 +26,10 @@ use turn::ONE;
 pub struct Q31;
 
 impl Turn for I0F32 {
+    type Format = Q31;
+}
+
+impl Component for I1F31 {
     type Format = Q31;
 }
 
@@ -48,6 +54,11 @@ impl Format for Q31 {
 
     #[inline(always)]
     fn probability(q32: u32) -> U0F32 {
+        U0F32::from_bits(q32)
+    }
+
+    #[inline(always)]
+    fn phase(q32: u32) -> U0F32 {
         U0F32::from_bits(q32)
     }
 
@@ -141,24 +152,69 @@ impl Format for Q31 {
         angle::first_quadrant(cos, sin)
     }
 
+    /// 2⁻²⁶: of components that are off by 4 units.
+    const LENGTH_SLACK: u64 = 1 << 36;
+    /// 2⁻²⁰ of the length.
+    const SLACK: u32 = 1 << 11;
+
     #[inline(always)]
-    fn lobe<const N: usize, R: Rng + ?Sized>(rng: &mut R) -> [I1F31; 3] {
-        let x = draw::largest::<N, R>(rng);
+    fn units(component: I1F31) -> i32 {
+        component.to_bits().max(-i32::MAX)
+    }
+
+    #[inline(always)]
+    fn of_units(units: i32) -> I1F31 {
+        I1F31::from_bits(units)
+    }
+
+    #[inline(always)]
+    fn square_off(normal: [i32; 3]) -> u32 {
+        frame::square_off(normal)
+    }
+
+    #[inline(always)]
+    fn frame_recip(z: i32) -> i32 {
+        frame::recip(z)
+    }
+
+    #[inline(always)]
+    fn to_world(normal: [i32; 3], recip: i32, local: [i32; 3]) -> [i32; 3] {
+        frame::to_world(normal, recip, local)
+    }
+
+    #[inline(always)]
+    fn to_local(normal: [i32; 3], recip: i32, world: [i32; 3]) -> [i32; 3] {
+        frame::to_local(normal, recip, world)
+    }
+
+    #[inline(always)]
+    fn part(sin: i32, part: i32) -> I1F31 {
+        let size = mul::mul_high(sin.unsigned_abs() << 1, part.unsigned_abs());
+        I1F31::from_bits(signed(size, (sin ^ part) as u32))
+    }
+
+    #[inline(always)]
+    fn lobe<const N: usize, R: TryRng + ?Sized>(
+        rng: &mut R,
+    ) -> Result<Drawn<[I1F31; 3]>, R::Error> {
+        let x = draw::largest::<N, R>(rng)?;
         draw::spatial(x.0 >> 1, sqrt::complement(draw::less(x)), rng)
     }
 
-    /// The sign is the lowest bit of the two that lost.
+    /// The sign is the top bit of the first, of which 31 bits are left.
     #[inline(always)]
-    fn largest_of_three<R: Rng + ?Sized>(rng: &mut R) -> (u32, u32) {
-        let (largest, low) = draw::largest::<3, R>(rng);
-        (largest, low << 31)
+    fn largest_of_three<R: TryRng + ?Sized>(rng: &mut R) -> Result<(u32, u32), R::Error> {
+        let first = rng.try_next_u32()?;
+        let two = ((first << 1) | 1).max(rng.try_next_u32()?);
+        Ok((two.max(rng.try_next_u32()?), first))
     }
 
-    /// v = 1 − |sin θ| from two words, and its lowest bit the sign.
+    /// The top bit of two words is the sign, the others are v = 1 − |sin θ|.
     #[inline(always)]
-    fn chord<R: Rng + ?Sized>(rng: &mut R) -> [I1F31; 2] {
-        let v = draw::long(rng);
-        let (sin, sign) = (!((v >> 32) as u32) >> 1, (v as u32) << 31);
-        planar::direction::<Q31>(sqrt::complement(v | 1), sin, sign)
+    fn chord<R: TryRng + ?Sized>(rng: &mut R) -> Result<Drawn<[I1F31; 2]>, R::Error> {
+        let words = draw::long(rng)?;
+        let v = (words << 1) | 1;
+        let (sin, sign) = (!((v >> 32) as u32) >> 1, (words >> 32) as u32);
+        Ok(planar::direction::<Q31>(sqrt::complement(v), sin, sign))
     }
 }

@@ -156,13 +156,13 @@ fn kernels_in_strides() {
 }
 
 #[test]
-#[ignore = "2³² inputs each: cargo test --release --features fixed --lib fixed::q31 -- --ignored --nocapture --test-threads 1"]
+#[ignore = "2³² inputs: cargo test --release --features fixed --lib q31 -- --ignored --nocapture"]
 fn angles_exhaustively() {
     hold(&ANGLES, 1);
 }
 
 #[test]
-#[ignore = "2³² inputs each: cargo test --release --features fixed --lib fixed::q31 -- --ignored --nocapture --test-threads 1"]
+#[ignore = "2³² inputs: cargo test --release --features fixed --lib q31 -- --ignored --nocapture"]
 fn roots_exhaustively() {
     hold(&ROOTS, 1);
 }

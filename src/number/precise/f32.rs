@@ -11,7 +11,7 @@ use crate::number::Real;
 use crate::number::tier::{Margin, Tier};
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 impl Holds<Precise<f32>> for f64 {
     #[inline(always)]
@@ -100,13 +100,13 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
-        f32::draw_tail_bits(rng)
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u64, R::Error> {
+        f32::try_draw_tail_bits(rng)
     }
 
     #[inline]
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u32 {
-        f32::draw_turn_bits(rng)
+    fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u32, R::Error> {
+        f32::try_draw_turn_bits(rng)
     }
 
     #[inline]

@@ -12,11 +12,11 @@ use crate::number::Real;
 use crate::number::tier::{Margin, Tier};
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
-use rand_core::Rng;
+use rand_core::TryRng;
 
 impl Holds<Precise<f64>> for Double {
-    /// NaN for what is too small or too large to be multiplied with all digits: as the laws give NaN
-    /// for NaN, the quick result is then not taken.
+    /// NaN for what is too small or too large to be multiplied with all digits: as the laws give
+    /// NaN for NaN, the quick result is then not taken.
     #[inline(always)]
     fn from_number(x: Precise<f64>) -> Double {
         Double::exact(if x.0 == 0.0 || is_moderate(x.0) {
@@ -92,13 +92,13 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> u128 {
-        f64::draw_tail_bits(rng)
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u128, R::Error> {
+        f64::try_draw_tail_bits(rng)
     }
 
     #[inline]
-    fn draw_turn_bits<R: Rng + ?Sized>(rng: &mut R) -> u64 {
-        f64::draw_turn_bits(rng)
+    fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u64, R::Error> {
+        f64::try_draw_turn_bits(rng)
     }
 
     #[inline]
@@ -110,7 +110,7 @@ impl Tier for Precise<f64> {
     fn turn_from_bits(bits: u64) -> CosSin<Self> {
         let (quadrant, part) = parts_of_turn(bits);
         let hi = part as f64;
-        let lo = (part - hi as i64) as f64;
+        let lo = part.wrapping_sub(hi as i64) as f64;
         let x = Double { hi, lo } * Double::exact(power_of_two(-65));
         CosSin::from_array(Self::rounded(
             Margin::Relative,

@@ -8,14 +8,15 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The most accurate tier of a format: the laws' results are rounded once, from wider arithmetic.
 ///
-/// `Precise<f32>` is correctly rounded: every operation of the six fixed laws gives the `f32` nearest
-/// to the true value (of angles, the nearest in the support). It is computed in `f64` with a rounding
-/// test, and in double-double where the test cannot decide. `Precise<f64>` is computed in
-/// double-double; where `f64`'s exponents do not reach, with an exponent of its own.
+/// `Precise<f32>` is correctly rounded: every operation of the six laws without a parameter gives
+/// the `f32` nearest to the true value (of angles, the nearest in the support). It is computed in
+/// `f64` with a rounding test, and in double-double where the test cannot decide. `Precise<f64>`
+/// is computed in double-double; where `f64`'s exponents do not reach, with an exponent of its
+/// own.
 ///
 /// Its own `+ − × ÷` are those of the format. Randomness as the plain format's, with the same
-/// uniforms: the `f32` sample is the `Precise<f32>` sample of the same words with a few more roundings.
-/// What the digits cost is in the tables of [`accuracy`](crate::accuracy).
+/// uniforms: the `f32` sample is the `Precise<f32>` sample of the same words with a few more
+/// roundings. What the digits cost is in the tables of [`accuracy`](crate::accuracy).
 ///
 /// ```
 /// use coslobe::{Disk, Law, Precise};

@@ -1,7 +1,9 @@
 //! Every law and every number type: whoever adds one adds it here, and all that walks these lists has it.
 
 use crate::Number;
+use ::fixed::types::{I1F15, I1F31, U0F32, U16F16};
 use core::fmt::{self, Debug};
+use coslobe::fixed::{self as integers, Fixed16Law, FixedLaw};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, PlanarPoint, Precise,
     Spatial, SpatialPoint, SphereShell,
@@ -120,7 +122,12 @@ impl Named for Lambert {
     const ID: Id = Id::Lambert;
 }
 
-impl<T> Named for CosPower<T> {
+impl<T: Number> Named for CosPower<T> {
+    const ID: Id = Id::CosPower(EXPONENT);
+}
+
+/// In integers.
+impl Named for integers::CosPower {
     const ID: Id = Id::CosPower(EXPONENT);
 }
 
@@ -202,6 +209,53 @@ pub fn moments<T: Number>(id: Id) -> Option<Moments<T>> {
     let mut found = Found(None);
     one_law(id, &mut found);
     found.0
+}
+
+/// A law in integers of both formats.
+pub trait IntegerLaw:
+    FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default>
+    + Fixed16Law<Direction: AsRef<[I1F15]> + Default>
+    + Named
+    + Default
+    + Copy
+    + 'static
+{
+}
+
+impl<L> IntegerLaw for L where
+    L: FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default>
+        + Fixed16Law<Direction: AsRef<[I1F15]> + Default>
+        + Named
+        + Default
+        + Copy
+        + 'static
+{
+}
+
+/// Is shown laws in integers.
+pub trait IntegerVisitor {
+    /// A law without a parameter.
+    fn law<L: IntegerLaw>(&mut self, law: L);
+    /// `CosPower`, which has 32 bits alone, with the exponent nearest to [`EXPONENT`].
+    fn power(&mut self, _: integers::CosPower) {}
+}
+
+/// Shows every law in integers.
+pub fn every_integer_law(visitor: &mut impl IntegerVisitor) {
+    visitor.law(Disk);
+    visitor.law(CircleShell);
+    visitor.law(CircleArc);
+    visitor.law(Ball);
+    visitor.law(SphereShell);
+    visitor.law(Lambert);
+    visitor.power(power());
+}
+
+/// `CosPower` in integers with the exponent nearest to [`EXPONENT`].
+pub fn power() -> integers::CosPower {
+    // Rounded by the compiler: firmware in integers has no floats.
+    const NEAREST: U16F16 = U16F16::from_bits((EXPONENT * 65536.0 + 0.5) as u32);
+    integers::CosPower::new(NEAREST)
 }
 
 /// Is shown number types.

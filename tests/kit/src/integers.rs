@@ -1,11 +1,12 @@
 //! Laws in fixed point.
 
+use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use crate::input::mix;
-use crate::{EXPONENT, Id, Laws, Named, Sink, Subject, Visitor};
+use crate::{Laws, Named, Sink, Subject, Visitor};
 use coslobe::fixed::{CosPower, FixedLaw};
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
+use coslobe::{CosSin, Fixed};
 use fixed::traits::Fixed as Format;
-use fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use fixed::types::{I0F32, I1F31, U0F32};
 use rand_pcg::Pcg32;
 
 /// The number type of [`coslobe::Fixed`].
@@ -13,25 +14,19 @@ pub struct Integers;
 
 impl Laws for Integers {
     fn each(visitor: &mut impl Visitor) {
-        visitor.visit(&integers(Disk));
-        visitor.visit(&integers(CircleShell));
-        visitor.visit(&integers(CircleArc));
-        visitor.visit(&integers(Ball));
-        visitor.visit(&integers(SphereShell));
-        visitor.visit(&integers(Lambert));
-        visitor.visit(&integers(power()));
+        every_integer_law(&mut Subjects(visitor));
     }
 }
 
-impl Named for CosPower {
-    const ID: Id = Id::CosPower(EXPONENT);
-}
+struct Subjects<'a, V>(&'a mut V);
 
-/// `CosPower` with the exponent nearest to [`EXPONENT`].
-pub fn power() -> CosPower {
-    // Rounded by the compiler: firmware in integers has no floats.
-    const NEAREST: U16F16 = U16F16::from_bits((EXPONENT * 65536.0 + 0.5) as u32);
-    CosPower::new(NEAREST)
+impl<V: Visitor> IntegerVisitor for Subjects<'_, V> {
+    fn law<L: IntegerLaw>(&mut self, law: L) {
+        self.0.visit(&integers(law));
+    }
+    fn power(&mut self, law: CosPower) {
+        self.0.visit(&integers(law));
+    }
 }
 
 /// A law in fixed point.

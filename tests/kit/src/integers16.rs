@@ -1,9 +1,10 @@
 //! Laws in fixed point of 16 bits.
 
+use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use crate::integers::input;
 use crate::{Laws, Named, Sink, Subject, Visitor};
 use coslobe::fixed::Fixed16Law;
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed16, Lambert, SphereShell};
+use coslobe::{CosSin, Fixed16};
 use fixed::types::{I0F16, I1F15, U0F16};
 use rand_pcg::Pcg32;
 
@@ -12,12 +13,15 @@ pub struct Integers16;
 
 impl Laws for Integers16 {
     fn each(visitor: &mut impl Visitor) {
-        visitor.visit(&integers16(Disk));
-        visitor.visit(&integers16(CircleShell));
-        visitor.visit(&integers16(CircleArc));
-        visitor.visit(&integers16(Ball));
-        visitor.visit(&integers16(SphereShell));
-        visitor.visit(&integers16(Lambert));
+        every_integer_law(&mut Subjects(visitor));
+    }
+}
+
+struct Subjects<'a, V>(&'a mut V);
+
+impl<V: Visitor> IntegerVisitor for Subjects<'_, V> {
+    fn law<L: IntegerLaw>(&mut self, law: L) {
+        self.0.visit(&integers16(law));
     }
 }
 

@@ -5,7 +5,7 @@ use core::convert::Infallible;
 use coslobe::fixed::CosPower;
 use coslobe::rand_core::{Rng, TryRng};
 use coslobe::self_test::{
-    self, Alarm, Check, Fault, InFixed, InSpace, Invalid, Place, Report, Subject,
+    self, Alarm, Fault, InFixed, InSpace, Invalid, Place, Report, Subject, Test,
 };
 use coslobe::{CircleArc, CircleShell, Disk, Fast, Fixed, Lambert, Planar, SphereShell};
 use fixed::types::U16F16;
@@ -45,14 +45,14 @@ pub fn verdict(name: &str) -> Option<Result<Report, Fault>> {
     Some(match name {
         "fast" => judge(self_test::spatial::<Fast<f32>, _>(SphereShell), rng),
         "plane" => judge(self_test::planar::<f32, _>(Disk), rng),
-        "law" => judge(Check::new(LambertForShell), rng),
+        "law" => judge(Test::new(LambertForShell), rng),
         "arc" => fed(self_test::planar::<f32, _>(CircleShell), || {
             Planar::sample(&CircleArc, rng)
         }),
         "nan" => {
-            let mut check = self_test::spatial::<f32, _>(Lambert);
-            check.feed(&[f32::NAN, 0.8, 0.6]);
-            check.verdict(Alarm::OneInBillion)
+            let mut test = self_test::spatial::<f32, _>(Lambert);
+            test.feed(&[f32::NAN, 0.8, 0.6]);
+            test.verdict(Alarm::OneInBillion)
         }
         "fixed" | "fixed-stuck" => judge(self_test::fixed(Fixed(Lambert)), rng),
         "fixed-plane" | "fixed-plane-biased" => judge(self_test::fixed(Fixed(Disk)), rng),
@@ -62,23 +62,23 @@ pub fn verdict(name: &str) -> Option<Result<Report, Fault>> {
     })
 }
 
-fn judge<S: Subject>(mut check: Check<S>, rng: &mut Generator) -> Result<Report, Fault> {
-    check.run(rng, self_test::SAMPLES);
-    check.verdict(Alarm::OneInBillion)
+fn judge<S: Subject>(mut test: Test<S>, rng: &mut Generator) -> Result<Report, Fault> {
+    test.run(rng, self_test::SAMPLES);
+    test.verdict(Alarm::OneInBillion)
 }
 
 /// From samples alone.
 fn fed<S: Subject>(
-    mut check: Check<S>,
+    mut test: Test<S>,
     mut draw: impl FnMut() -> S::Sample,
 ) -> Result<Report, Fault> {
     for _ in 0..self_test::SAMPLES {
-        check.feed(&draw());
+        test.feed(&draw());
     }
-    check.verdict(Alarm::OneInBillion)
+    test.verdict(Alarm::OneInBillion)
 }
 
-fn power() -> Check<InFixed<CosPower>> {
+fn power() -> Test<InFixed<Fixed<CosPower>>> {
     self_test::fixed(Fixed(CosPower::new(EXPONENT)))
 }
 

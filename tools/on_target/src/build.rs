@@ -10,7 +10,7 @@ pub(crate) struct Build<'a> {
     pub(crate) board: &'a Board,
     /// The workspace's member.
     pub(crate) package: &'a str,
-    /// What its build script reads.
+    /// What its build script reads, or cargo instead of the profile's settings.
     pub(crate) variables: Vec<(&'static str, String)>,
     pub(crate) features: &'a [&'a str],
     pub(crate) debug: bool,
@@ -44,14 +44,14 @@ impl Build<'_> {
             .arg(&folder)
             // Of the cargo that runs this program; they would be read as the user's.
             .env_remove("CARGO_MANIFEST_DIR")
-            .env_remove("RUSTFLAGS")
-            .envs(self.variables.iter().map(|(k, v)| (k, v)));
+            .env_remove("RUSTFLAGS");
         if !self.features.is_empty() {
             command.arg("--features").arg(self.features.join(","));
         }
         if let (Some(level), false) = (self.board.opt_level, self.debug) {
             command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level);
         }
+        command.envs(self.variables.iter().map(|(k, v)| (k, v)));
         let built = command.output().while_("starting cargo")?;
         if !built.status.success() {
             let errors = String::from_utf8_lossy(&built.stderr).into_owned();

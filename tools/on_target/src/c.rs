@@ -1,7 +1,7 @@
-//! The C program of `examples/firmware/c_api` on every board and on this machine, against Rust.
+//! The C program of `examples/c_api` on every processor and on this machine, against Rust.
 
 use crate::boards::{BOARDS, Board, succeeds};
-use crate::build::{Build, root, workspace};
+use crate::build::root;
 use crate::c_values;
 use crate::difference::same;
 use crate::failure::{Failure, Result, While};
@@ -13,6 +13,10 @@ use std::time::Duration;
 
 /// A compiler and what it takes to link for a board.
 struct Compiler {
+    /// The Makefile's name for it.
+    goal: &'static str,
+    /// Rust's.
+    target: &'static str,
     board: &'static str,
     command: &'static str,
     /// Debian's package.
@@ -22,6 +26,8 @@ struct Compiler {
 }
 
 const ARM: Compiler = Compiler {
+    goal: "m0",
+    target: "thumbv6m-none-eabi",
     board: "M0",
     command: "arm-none-eabi-gcc",
     package: "gcc-arm-none-eabi",
@@ -31,14 +37,25 @@ const ARM: Compiler = Compiler {
 const FLASH: &str = "-Wl,--defsym=FLASH=0";
 const RAM: &str = "-Wl,--defsym=RAM=0x20000000";
 
-const COMPILERS: [Compiler; 4] = [
+const COMPILERS: [Compiler; 5] = [
     ARM,
     Compiler {
+        goal: "m3",
+        target: "thumbv7m-none-eabi",
         board: "M3",
         flags: &["-mthumb", "-mcpu=cortex-m3", FLASH, RAM],
         ..ARM
     },
     Compiler {
+        goal: "m4",
+        target: "thumbv7em-none-eabi",
+        board: "M4F",
+        flags: &["-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=soft", FLASH, RAM],
+        ..ARM
+    },
+    Compiler {
+        goal: "m4f",
+        target: "thumbv7em-none-eabihf",
         board: "M4F",
         flags: &[
             "-mthumb",
@@ -51,6 +68,8 @@ const COMPILERS: [Compiler; 4] = [
         ..ARM
     },
     Compiler {
+        goal: "rv32imc",
+        target: "riscv32imc-unknown-none-elf",
         board: "RV32IMC",
         command: "riscv64-unknown-elf-gcc",
         package: "gcc-riscv64-unknown-elf",
@@ -64,14 +83,11 @@ const COMPILERS: [Compiler; 4] = [
     },
 ];
 
-const WARNINGS: [&str; 7] = [
-    "-std=c11",
-    "-O2",
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Werror",
-    "-Wl,--gc-sections",
+const WARNINGS: [&str; 5] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
+/// What compiles the header alone; Debian's `g++` for the second.
+const DIALECTS: [(&str, &str, &[&str]); 2] = [
+    ("cc", "c", &["c90", "c99", "c11", "c17", "c2x"]),
+    ("g++", "c++", &["c++98", "c++11", "c++17", "c++20"]),
 ];
 const FREESTANDING: [&str; 5] = [
     "-ffreestanding",
@@ -85,34 +101,46 @@ const EMULATION: Emulation = Emulation {
     timeout: Duration::from_secs(60),
 };
 
-/// The header, the program here, the program on every board.
+/// The header, the program here, the program on every processor.
 pub(crate) fn run(report: &mut Report) -> Result<()> {
-    header(report);
-    if succeeds("cc", &["--version"]) {
-        report.outcome("C on this machine", on_host("host", "", &[]));
-        let bit = on_host("host", "", &["-DPLANTED_BIT"]);
-        report.outcome("C: a planted wrong bit is found", found(bit, "3d026137"));
-        let panic = on_host("planted", "--cfg planted", &["-DPLANTED_PANIC"]);
+    report.outcome("C: header and functions are their table's", generated());
+    for (compiler, language, standards) in DIALECTS {
+        if !succeeds(compiler, &["--version"]) {
+            report.skip(&format!(
+                "C: {compiler} is not installed (Debian: apt install g++)"
+            ));
+            continue;
+        }
+        for standard in standards {
+            let name = format!("C: the header in {standard}");
+            report.outcome(&name, header_alone(compiler, language, standard));
+        }
+    }
+    if succeeds("cc", &["--version"]) && succeeds("make", &["--version"]) {
+        report.outcome("C on this machine", on_host("", &[]));
+        let bit = on_host("", &["-DPLANTED_BIT"]);
+        report.outcome("C: a planted wrong bit is found", found(bit, "coslobe_b"));
+        let panic = on_host("--cfg planted", &["-DPLANTED_PANIC"]);
         report.outcome("C: a planted panic is found", found(panic, PANIC));
+        report.outcome("C: installed, its example by pkg-config", installed());
     } else {
-        report.skip("C on this machine: cc is not installed (Debian: apt install gcc)");
+        report
+            .skip("C on this machine: cc or make is missing (Debian: apt install build-essential)");
     }
     for compiler in &COMPILERS {
         let Some(board) = BOARDS.iter().find(|board| board.name == compiler.board) else {
             return Err(Failure(format!("no board {}", compiler.board)));
         };
-        if let Err(reason) = board.has_target().and_then(|()| board.has_emulator()) {
-            report.skip(&format!("C on {reason}"));
-        } else if !succeeds(compiler.command, &["--version"]) {
-            let Compiler {
-                command, package, ..
-            } = compiler;
+        let (command, package) = (compiler.command, compiler.package);
+        if !succeeds(compiler.command, &["--version"]) {
             report.skip(&format!(
-                "C on {}: {command} is not installed (Debian: apt install {package})",
-                board.name
+                "C for {}: {command} is not installed (Debian: apt install {package})",
+                compiler.goal
             ));
+        } else if let Err(reason) = board.has_emulator() {
+            report.skip(&format!("C on {reason}"));
         } else {
-            report.outcome(&format!("{}: C", board.name), on_board(board, compiler));
+            report.outcome(&format!("{}: C", compiler.goal), on_board(board, compiler));
         }
     }
     Ok(())
@@ -128,76 +156,117 @@ fn found(outcome: Result<()>, reason: &str) -> Result<()> {
 }
 
 fn folder() -> PathBuf {
-    workspace().join("c_api")
+    root().join("examples/c_api")
 }
 
-/// The committed header is the one that cbindgen makes.
-fn header(report: &mut Report) {
-    if !succeeds("cbindgen", &["--version"]) {
-        report.skip("C: header: cbindgen is not installed (cargo install cbindgen --locked)");
-        return;
-    }
-    let verify = Command::new("cbindgen")
-        .current_dir(folder())
-        .args(["--quiet", "--config", "cbindgen.toml"])
-        .args(["--verify", "--output", "coslobe.h"])
-        .output()
-        .while_("starting cbindgen");
-    report.outcome(
-        "C: the committed header is cbindgen's",
-        verify.and_then(|output| {
-            if output.status.success() {
-                return Ok(());
-            }
-            Err(Failure(format!(
-                "coslobe.h is out of date: cbindgen --config cbindgen.toml --output coslobe.h\n{}",
-                String::from_utf8_lossy(&output.stderr)
-            )))
-        }),
-    );
+/// The committed files are those that their table makes.
+fn generated() -> Result<()> {
+    let mut command = Command::new("python3");
+    command.arg(root().join("tools/c_api.py")).arg("--check");
+    finish(&mut command, "python3 tools/c_api.py").map(drop)
 }
 
-/// The program here, from a library built with `rust_flags` in a folder of its own.
-fn on_host(name: &str, rust_flags: &str, flags: &[&str]) -> Result<()> {
-    let target = root().join("target/on_target").join(name);
-    let mut command = Command::new("cargo");
+fn header_alone(compiler: &str, language: &str, standard: &str) -> Result<()> {
+    let mut command = Command::new(compiler);
     command
-        .current_dir(workspace())
-        .args(["build", "--quiet", "--release", "--package", "c_api"])
-        .args(["--target", &host_target()?])
-        .arg("--target-dir")
-        .arg(&target)
+        .args(WARNINGS)
+        .arg(format!("-std={standard}"))
+        .args(["-fsyntax-only", "-x", language])
+        .arg(folder().join("include/coslobe.h"));
+    finish(&mut command, compiler).map(drop)
+}
+
+/// Makes `goal` as the page says; where library and header are then.
+fn make(goal: &str, target: &str, rust_flags: &str) -> Result<PathBuf> {
+    let name = if rust_flags.is_empty() {
+        "c"
+    } else {
+        "c_planted"
+    };
+    let build = root().join("target/on_target").join(name);
+    let mut command = Command::new("make");
+    command
+        .arg("--directory")
+        .arg(folder())
+        .arg(goal)
+        .arg(format!("BUILD={}", build.display()))
+        .arg(format!(
+            "CARGO_TARGET_DIR={}",
+            build.join("cargo").display()
+        ))
         .env_remove("CARGO_MANIFEST_DIR")
         .env("RUSTFLAGS", rust_flags);
-    finish(&mut command, "cargo build")?;
-    let program = target.join("c_program");
-    let mut command = compile("cc", "platform_host.c", &program);
-    command
-        .args(flags)
-        .arg(library(&target.join(host_target()?)));
+    finish(&mut command, "make")?;
+    Ok(build.join(target))
+}
+
+/// The program here, from a library built with `rust_flags`.
+fn on_host(rust_flags: &str, flags: &[&str]) -> Result<()> {
+    let built = make("host", &host_target()?, rust_flags)?;
+    let program = built.join("c_program");
+    let mut command = compile("cc", "platform_host.c", &built, &program);
+    command.args(flags).arg(built.join(LIBRARY));
     finish(&mut command, "cc")?;
     let output = finish(&mut Command::new(&program), "the C program")?;
     judge(&program, &output)
 }
 
-fn on_board(board: &Board, compiler: &Compiler) -> Result<()> {
-    let built = Build {
-        board,
-        package: "c_api",
-        variables: vec![],
-        features: &[],
-        debug: false,
+/// `make install`, and the example of the page with what that installed.
+fn installed() -> Result<()> {
+    let built = make("host", &host_target()?, "")?;
+    let prefix = built.join("prefix");
+    let mut install = Command::new("make");
+    install
+        .arg("--directory")
+        .arg(folder())
+        .arg("install")
+        .arg(format!("PREFIX={}", prefix.display()))
+        .arg(format!("BUILD={}", parent(&built)?.display()))
+        .arg(format!(
+            "CARGO_TARGET_DIR={}",
+            parent(&built)?.join("cargo").display()
+        ))
+        .env_remove("CARGO_MANIFEST_DIR");
+    finish(&mut install, "make install")?;
+    let flags = finish(
+        Command::new("pkg-config")
+            .args(["--cflags", "--libs", "coslobe"])
+            .env("PKG_CONFIG_PATH", prefix.join("lib/pkgconfig")),
+        "pkg-config (Debian: apt install pkg-config)",
+    )?;
+    let program = built.join("example");
+    let mut command = Command::new("cc");
+    command
+        .args(WARNINGS)
+        .arg(folder().join("example.c"))
+        .args(flags.split_whitespace())
+        .arg("-o")
+        .arg(&program);
+    finish(&mut command, "cc")?;
+    let lines = finish(&mut Command::new(&program), "the example")?;
+    let upward = lines
+        .lines()
+        .filter(|line| line.split_whitespace().nth(2) > Some("0"));
+    match upward.count() {
+        4 => Ok(()),
+        n => Err(Failure(format!("{n} directions around +z of 4\n{lines}"))),
     }
-    .image()?;
-    let release = built.parent().ok_or(Failure("a folder".into()))?;
-    let image = release.join("c_program");
-    let mut command = compile(compiler.command, compiler.platform, &image);
+}
+
+fn parent(path: &Path) -> Result<&Path> {
+    path.parent().ok_or(Failure("a folder".into()))
+}
+
+fn on_board(board: &Board, compiler: &Compiler) -> Result<()> {
+    let built = make(compiler.goal, compiler.target, "")?;
+    let image = built.join("c_program");
+    let mut command = compile(compiler.command, compiler.platform, &built, &image);
     command
         .args(FREESTANDING)
         .args(compiler.flags)
         .arg("-T")
-        .arg(folder().join("c/board.ld"))
-        .arg(release.join(LIBRARY))
+        .arg(folder().join("test/board.ld"))
+        .arg(built.join(LIBRARY))
         .arg("-lgcc");
     finish(&mut command, compiler.command)?;
     let output = qemu::run(board, &image, &[], EMULATION)?;
@@ -205,28 +274,26 @@ fn on_board(board: &Board, compiler: &Compiler) -> Result<()> {
 }
 
 const PANIC: &str = "a panic is linked";
-const LIBRARY: &str = "libcoslobe_c.a";
+const LIBRARY: &str = "lib/libcoslobe.a";
 
-fn library(target: &Path) -> PathBuf {
-    target.join("release").join(LIBRARY)
-}
-
-fn compile(compiler: &str, platform: &str, program: &Path) -> Command {
+fn compile(compiler: &str, platform: &str, built: &Path, program: &Path) -> Command {
     let mut command = Command::new(compiler);
     command
         .args(WARNINGS)
-        .arg("-o")
+        .args(["-std=c99", "-O2", "-Wl,--gc-sections,--strip-debug", "-o"])
         .arg(program)
-        .arg(folder().join("c/main.c"))
-        .arg(folder().join("c").join(platform));
+        .arg("-I")
+        .arg(built.join("include"))
+        .arg(folder().join("test/main.c"))
+        .arg(folder().join("test").join(platform));
     command
 }
 
 /// The program printed what Rust computes, and no panic is linked into it.
 fn judge(program: &Path, output: &str) -> Result<()> {
-    same(&c_values::expected(), output).map_err(Failure)?;
+    same(&c_values::expected(), &c_values::sorted(output)).map_err(Failure)?;
     let image = std::fs::read(program).while_("reading the program")?;
-    // In the symbols of core::panicking, which every panic goes through; the handler itself is inlined.
+    // In the symbols of core::panicking, which every panic goes through; the handler is inlined.
     let name = b"9panicking";
     if image.windows(name.len()).any(|bytes| bytes == name) {
         return Err(Failure(PANIC.into()));

@@ -1,57 +1,135 @@
 //! What the C program has to print of the laws in integers.
 
-use crate::c_values::INPUTS;
-use coslobe::fixed::{CosPower, FixedLaw};
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
-use fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use crate::c_values::{INPUTS, Lines, filled, sixteen};
+use coslobe::fixed::{CosPower, Fixed16Law, FixedLaw};
+use coslobe::self_test::{self, InFixed, Subject};
+use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
+use fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};
 use rand_pcg::Pcg32;
 
 /// Its lines.
-pub(crate) fn expected(out: &mut String, rng: &mut Pcg32) {
-    law(out, "disk", Fixed(Disk), rng, U0F32::to_bits);
-    law(out, "circle_shell", Fixed(CircleShell), rng, U0F32::to_bits);
-    law(out, "circle_arc", Fixed(CircleArc), rng, U0F32::to_bits);
-    law(out, "ball", Fixed(Ball), rng, U0F32::to_bits);
-    law(out, "sphere_shell", Fixed(SphereShell), rng, U0F32::to_bits);
-    law(out, "lambert", Fixed(Lambert), rng, U0F32::to_bits);
-    let lobe = CosPower::new(U16F16::from_bits(0x74ccd));
-    law(out, "cos_power", Fixed(lobe), rng, U16F16::to_bits);
+pub(crate) fn expected(lines: &mut Lines) {
+    q31(lines, "disk", Fixed(Disk), U0F32::to_bits);
+    q31(lines, "circle_shell", Fixed(CircleShell), U0F32::to_bits);
+    q31(lines, "circle_arc", Fixed(CircleArc), U0F32::to_bits);
+    q31(lines, "ball", Fixed(Ball), U0F32::to_bits);
+    q31(lines, "sphere_shell", Fixed(SphereShell), U0F32::to_bits);
+    q31(lines, "lambert", Fixed(Lambert), U0F32::to_bits);
+    let lobe = Fixed(CosPower::new(U16F16::from_bits(0x74ccd)));
+    q31(lines, "cos_power", lobe, U16F16::to_bits);
+    q15(lines, "disk", Fixed16(Disk));
+    q15(lines, "circle_shell", Fixed16(CircleShell));
+    q15(lines, "circle_arc", Fixed16(CircleArc));
+    q15(lines, "ball", Fixed16(Ball));
+    q15(lines, "sphere_shell", Fixed16(SphereShell));
+    q15(lines, "lambert", Fixed16(Lambert));
 }
 
-fn law<L: FixedLaw>(
-    out: &mut String,
-    name: &str,
-    law: Fixed<L>,
-    rng: &mut Pcg32,
+fn q31<L: FixedLaw + Copy>(
+    lines: &mut Lines,
+    law: &str,
+    l: Fixed<L>,
     density: fn(L::Density) -> u32,
 ) where
-    L::Direction: AsRef<[I1F31]>,
+    InFixed<Fixed<L>>: Subject,
+    L::Direction: IntoIterator<Item = I1F31>,
 {
-    let mut line = |words: &[u32]| {
-        out.push_str(name);
-        out.push_str(" q31");
-        for word in words {
-            out.push_str(&format!(" {word:08x}"));
-        }
-        out.push('\n');
+    let component = |x: I1F31| x.to_bits().cast_unsigned();
+    let (angle, p) = (|x: u32| I0F32::from_bits(x.cast_signed()), U0F32::from_bits);
+    let pair = |at: CosSin<I1F31>| [component(at.cos), component(at.sin)];
+    let mut of_number = |op: &str, f: &dyn Fn(u32) -> u32| {
+        lines.add(law, op, "q31", INPUTS.map(f));
     };
-    let direction = law.sample(rng);
-    let words: Vec<u32> = direction
-        .as_ref()
-        .iter()
-        .map(|c| c.to_bits() as u32)
-        .collect();
-    line(&words);
-    for x in INPUTS {
-        let at = law.warp(U0F32::from_bits(x));
-        let CosSin { cos, sin } = at;
-        line(&[
-            x,
-            cos.to_bits() as u32,
-            sin.to_bits() as u32,
-            density(law.density(at)),
-            law.cdf(I0F32::from_bits(x as i32)).to_bits(),
-            law.quantile(U0F32::from_bits(x)).to_bits() as u32,
-        ]);
-    }
+    of_number("pdf", &|x| density(l.pdf(angle(x))));
+    of_number("cdf", &|x| l.cdf(angle(x)).to_bits());
+    of_number("sf", &|x| l.sf(angle(x)).to_bits());
+    of_number("quantile", &|x| l.quantile(p(x)).to_bits().cast_unsigned());
+    of_number("isf", &|x| l.isf(p(x)).to_bits().cast_unsigned());
+    lines.add(
+        law,
+        "warp",
+        "q31",
+        INPUTS.into_iter().flat_map(|x| pair(l.warp(p(x)))),
+    );
+    lines.add(
+        law,
+        "warp_sf",
+        "q31",
+        INPUTS.into_iter().flat_map(|x| pair(l.warp_sf(p(x)))),
+    );
+    let mut of_pair = |op: &str, f: &dyn Fn(CosSin<I1F31>) -> u32| {
+        let x = |x: u32| I1F31::from_bits(x.cast_signed());
+        lines.add(
+            law,
+            op,
+            "q31",
+            pairs().map(|[cos, sin]| {
+                f(CosSin {
+                    cos: x(cos),
+                    sin: x(sin),
+                })
+            }),
+        );
+    };
+    of_pair("unwarp", &|at| l.unwarp(at).to_bits());
+    of_pair("unwarp_sf", &|at| l.unwarp_sf(at).to_bits());
+    of_pair("density", &|at| density(l.density(at)));
+    let draw = |rng: &mut Pcg32| l.sample(rng).into_iter().map(component).collect();
+    lines.draws(law, "sample", "q31", sixteen(draw));
+    lines.draws(law, "fill", "q31", filled(draw));
+    lines.self_test(law, "q31", self_test::fixed(l));
+}
+
+fn q15<L: Fixed16Law>(lines: &mut Lines, law: &str, l: Fixed16<L>)
+where
+    L::Direction: IntoIterator<Item = I1F15>,
+{
+    // C's test sees a component by its 16 bits.
+    let component = |x: I1F15| x.to_bits().cast_unsigned().into();
+    let high = |x: u32| (x >> 16) as u16;
+    let (angle, p) = (
+        move |x: u32| I0F16::from_bits(high(x).cast_signed()),
+        move |x: u32| U0F16::from_bits(high(x)),
+    );
+    let pair = |at: CosSin<I1F15>| [component(at.cos), component(at.sin)];
+    let mut of_number = |op: &str, f: &dyn Fn(u32) -> u16| {
+        lines.add(law, op, "q15", INPUTS.map(|x| f(x).into()));
+    };
+    of_number("pdf", &|x| l.pdf(angle(x)).to_bits());
+    of_number("cdf", &|x| l.cdf(angle(x)).to_bits());
+    of_number("sf", &|x| l.sf(angle(x)).to_bits());
+    of_number("quantile", &|x| l.quantile(p(x)).to_bits().cast_unsigned());
+    of_number("isf", &|x| l.isf(p(x)).to_bits().cast_unsigned());
+    lines.add(
+        law,
+        "warp",
+        "q15",
+        INPUTS.into_iter().flat_map(|x| pair(l.warp(p(x)))),
+    );
+    lines.add(
+        law,
+        "warp_sf",
+        "q15",
+        INPUTS.into_iter().flat_map(|x| pair(l.warp_sf(p(x)))),
+    );
+    let mut of_pair = |op: &str, f: &dyn Fn(CosSin<I1F15>) -> u16| {
+        let x = |x: u32| I1F15::from_bits(high(x).cast_signed());
+        let pairs = pairs().map(|[cos, sin]| CosSin {
+            cos: x(cos),
+            sin: x(sin),
+        });
+        lines.add(law, op, "q15", pairs.map(|at| f(at).into()));
+    };
+    of_pair("unwarp", &|at| l.unwarp(at).to_bits());
+    of_pair("unwarp_sf", &|at| l.unwarp_sf(at).to_bits());
+    of_pair("density", &|at| l.density(at).to_bits());
+    let draw = |rng: &mut Pcg32| l.sample(rng).into_iter().map(component).collect();
+    lines.draws(law, "sample", "q15", sixteen(draw));
+    lines.draws(law, "fill", "q15", filled(draw));
+}
+
+fn pairs() -> impl Iterator<Item = [u32; 2]> {
+    INPUTS
+        .into_iter()
+        .flat_map(|cos| INPUTS.map(|sin| [cos, sin]))
 }

@@ -1,14 +1,15 @@
-//! What the C program has to print: the same calls, made in Rust.
+//! What the C program has to print: a hash of the same calls, made in Rust, for each function.
 
 use crate::c_integers;
+use coslobe::self_test::{self, Alarm, Check, Fault, Subject};
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial,
-    SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, PlanarPoint,
+    Radius, Real, Spatial, SpatialPoint, SphereShell,
 };
 use rand_pcg::Pcg32;
 
-/// As in c/main.c.
-pub(crate) const INPUTS: [u32; 19] = [
+/// As in test/main.c.
+pub(crate) const INPUTS: [u32; 23] = [
     0x0000_0000,
     0x8000_0000,
     0x0000_0001,
@@ -28,72 +29,250 @@ pub(crate) const INPUTS: [u32; 19] = [
     0x7f80_0000,
     0xff80_0000,
     0x7fc0_0000,
+    0x3f4c_cccd,
+    0x7fff_ffff,
+    0x4ccc_cccd,
+    0x6666_6666,
 ];
+const NORMAL: [f32; 3] = [0.6, 0.0, -0.8];
+const RADIUS: f32 = 2.5;
+/// The header's statuses.
+const NULL_POINTER: i32 = -1;
+const FAULT: i32 = -4;
+/// What the program's generator returns when it fails.
+const FAILURE: i32 = 7;
 
-/// The whole output.
+/// All lines, in the order of their names.
 pub(crate) fn expected() -> String {
-    let mut out = String::new();
-    let mut rng = Pcg32::new(2024, 1);
-    planar(&mut out, "disk", Disk, &mut rng);
-    planar(&mut out, "circle_shell", CircleShell, &mut rng);
-    planar(&mut out, "circle_arc", CircleArc, &mut rng);
-    spatial(&mut out, "ball", Ball, &mut rng);
-    spatial(&mut out, "sphere_shell", SphereShell, &mut rng);
-    spatial(&mut out, "lambert", Lambert, &mut rng);
-    cos_power(&mut out, 7.3, &mut rng);
-    cos_power(&mut out, -1.0, &mut rng);
-    c_integers::expected(&mut out, &mut rng);
-    out + "refused as documented\n"
+    let mut lines = Lines::default();
+    floats::<f32>(&mut lines, "f32");
+    floats::<Fast<f32>>(&mut lines, "fast");
+    c_integers::expected(&mut lines);
+    lines.sorted("refused as documented\n")
 }
 
-fn line(out: &mut String, name: &str, values: impl IntoIterator<Item = f32>) {
-    out.push_str(name);
-    for x in values {
-        match x.is_nan() {
-            true => out.push_str(" NaN"),
-            false => out.push_str(&format!(" {:08x}", x.to_bits())),
+/// The lines of `output` in that order.
+pub(crate) fn sorted(output: &str) -> String {
+    let mut lines: Vec<_> = output.lines().collect();
+    lines.sort_unstable();
+    lines.iter().map(|line| format!("{line}\n")).collect()
+}
+
+#[derive(Default)]
+pub(crate) struct Lines(String);
+
+impl Lines {
+    /// FNV-1a over `words`.
+    pub(crate) fn add(
+        &mut self,
+        law: &str,
+        op: &str,
+        number: &str,
+        words: impl IntoIterator<Item = u32>,
+    ) {
+        let hash = words.into_iter().fold(2_166_136_261, |hash: u32, word| {
+            (hash ^ word).wrapping_mul(16_777_619)
+        });
+        self.0 += &format!("coslobe_{law}_{op}_{number} {hash:08x}\n");
+    }
+
+    fn sorted(self, last: &str) -> String {
+        sorted(&(self.0 + last))
+    }
+
+    /// A drawing function's line: sixteen draws, a failure, two null pointers, nothing written.
+    pub(crate) fn draws(&mut self, law: &str, op: &str, number: &str, draws: Vec<Vec<u32>>) {
+        let nothing = vec![0; draws[0].len()];
+        let drawn = draws
+            .into_iter()
+            .flat_map(|words| [vec![0], words].concat());
+        let refused = [FAILURE, NULL_POINTER, NULL_POINTER].map(i32::cast_unsigned);
+        self.add(law, op, number, drawn.chain(refused).chain(nothing));
+    }
+
+    /// A self-test's line: a good generator, one that fails, one that is stuck, none.
+    pub(crate) fn self_test<S: Subject + Clone>(
+        &mut self,
+        law: &str,
+        number: &str,
+        mut check: Check<S>,
+    ) {
+        let mut stuck = check.clone();
+        check.run(&mut rng(), self_test::SAMPLES);
+        let good = check.verdict(Alarm::OneInBillion).map_or(FAULT, |_| 0);
+        stuck.run(&mut Stuck, self_test::SAMPLES);
+        let why = match stuck.verdict(Alarm::OneInBillion) {
+            Err(Fault::Repeats { sample, period }) => [2, sample.into(), period.into()],
+            Err(Fault::Invalid { sample, .. }) => [1, sample.into(), 0],
+            other => panic!("a stuck generator passes as {other:?}"),
+        };
+        let statuses = [good, FAILURE, FAULT].map(i32::cast_unsigned);
+        let words = statuses.into_iter().chain(why);
+        self.add(
+            law,
+            "self_test",
+            number,
+            words.chain([NULL_POINTER.cast_unsigned()]),
+        );
+    }
+}
+
+/// The program's generator.
+pub(crate) fn rng() -> Pcg32 {
+    Pcg32::new(2024, 1)
+}
+
+struct Stuck;
+
+impl coslobe::rand_core::TryRng for Stuck {
+    type Error = core::convert::Infallible;
+    fn try_next_u32(&mut self) -> Result<u32, Self::Error> {
+        Ok(0x1234_5678)
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Self::Error> {
+        Ok(0x1234_5678_1234_5678)
+    }
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Self::Error> {
+        unreachable!("no law asks for bytes")
+    }
+}
+
+/// A float type that C knows as `float`.
+trait Float: Real {
+    fn of(x: f32) -> Self;
+    fn bits(self) -> u32;
+}
+
+impl Float for f32 {
+    fn of(x: f32) -> f32 {
+        x
+    }
+    fn bits(self) -> u32 {
+        if self.is_nan() {
+            0x7fc0_0000
+        } else {
+            self.to_bits()
         }
     }
-    out.push('\n');
 }
 
-fn planar(out: &mut String, name: &str, law: impl Planar<f32>, rng: &mut Pcg32) {
-    for _ in 0..8 {
-        line(out, name, law.sample(rng));
+impl Float for Fast<f32> {
+    fn of(x: f32) -> Self {
+        Fast(x)
     }
-    evaluations(out, name, law);
-}
-
-fn spatial(out: &mut String, name: &str, law: impl Spatial<f32>, rng: &mut Pcg32) {
-    for _ in 0..8 {
-        line(out, name, law.sample(rng));
-    }
-    evaluations(out, name, law);
-}
-
-fn evaluations(out: &mut String, name: &str, law: impl Law<f32>) {
-    for x in INPUTS.map(f32::from_bits) {
-        let at = law.warp(x);
-        let pair = CosSin {
-            cos: x,
-            sin: f32::from_bits(0x3f19_999a),
-        };
-        let densities = [law.density(at), law.density(pair)];
-        let values = [x, at.cos, at.sin].into_iter().chain(densities);
-        line(out, name, values.chain([law.cdf(x), law.quantile(x)]));
+    fn bits(self) -> u32 {
+        self.0.bits()
     }
 }
 
-fn cos_power(out: &mut String, k: f32, rng: &mut Pcg32) {
-    let law = CosPower::new(k).ok();
-    for x in INPUTS.map(f32::from_bits) {
-        let values = law.map_or([f32::NAN; 5], |law| {
-            let at = law.warp(x);
-            [at.cos, at.sin, law.density(at), law.cdf(x), law.quantile(x)]
-        });
-        line(out, "cos_power", [k, x].into_iter().chain(values));
-    }
-    if let Some(law) = law {
-        line(out, "cos_power", law.sample(rng));
-    }
+fn inputs<T: Float>() -> impl Iterator<Item = T> {
+    INPUTS.into_iter().map(|x| T::of(f32::from_bits(x)))
+}
+
+fn floats<T: Float>(lines: &mut Lines, number: &str) {
+    planar::<T, _>(lines, "disk", number, Disk);
+    planar::<T, _>(lines, "circle_shell", number, CircleShell);
+    planar::<T, _>(lines, "circle_arc", number, CircleArc);
+    spatial::<T, _>(lines, "ball", number, Ball);
+    spatial::<T, _>(lines, "sphere_shell", number, SphereShell);
+    spatial::<T, _>(lines, "lambert", number, Lambert);
+    point3::<T>(lines, "ball", number, |rho, rng| {
+        Ball.sample_point(rho, rng)
+    });
+    point3::<T>(lines, "sphere_shell", number, |rho, rng| {
+        SphereShell.sample_point(rho, rng)
+    });
+    point3::<T>(lines, "lambert", number, |rho, rng| {
+        Lambert.sample_point(rho, rng)
+    });
+    let lobe = CosPower::new(T::of(7.3)).expect("7.3 is an exponent");
+    spatial::<T, _>(lines, "cos_power", number, lobe);
+}
+
+fn values<T: Float>(lines: &mut Lines, law: &str, number: &str, l: &impl Law<T>) {
+    let mut of_number = |op: &str, f: &dyn Fn(T) -> T| {
+        lines.add(law, op, number, inputs().map(|x| f(x).bits()));
+    };
+    of_number("pdf", &|x| l.pdf(x));
+    of_number("ln_pdf", &|x| l.ln_pdf(x));
+    of_number("cdf", &|x| l.cdf(x));
+    of_number("sf", &|x| l.sf(x));
+    of_number("quantile", &|x| l.quantile(x));
+    of_number("isf", &|x| l.isf(x));
+    let mut to_pair = |op: &str, f: &dyn Fn(T) -> CosSin<T>| {
+        let words = inputs()
+            .map(f)
+            .flat_map(|at| [at.cos.bits(), at.sin.bits()]);
+        lines.add(law, op, number, words);
+    };
+    to_pair("warp", &|x| l.warp(x));
+    to_pair("warp_sf", &|x| l.warp_sf(x));
+    let mut of_pair = |op: &str, f: &dyn Fn(CosSin<T>) -> T| {
+        let pairs = inputs().flat_map(|cos| inputs().map(move |sin| CosSin { cos, sin }));
+        lines.add(law, op, number, pairs.map(|at| f(at).bits()));
+    };
+    of_pair("unwarp", &|at| l.unwarp(at));
+    of_pair("unwarp_sf", &|at| l.unwarp_sf(at));
+    of_pair("density", &|at| l.density(at));
+    of_pair("lambert_weight", &|at| l.lambert_weight(at));
+}
+
+fn bits<T: Float, const N: usize>(d: [T; N]) -> Vec<u32> {
+    d.map(T::bits).to_vec()
+}
+
+/// Sixteen of what `draw` draws.
+pub(crate) fn sixteen(mut draw: impl FnMut(&mut Pcg32) -> Vec<u32>) -> Vec<Vec<u32>> {
+    let mut rng = rng();
+    (0..16).map(|_| draw(&mut rng)).collect()
+}
+
+/// Three at a time.
+pub(crate) fn filled(mut draw: impl FnMut(&mut Pcg32) -> Vec<u32>) -> Vec<Vec<u32>> {
+    sixteen(|rng| [draw(rng), draw(rng), draw(rng)].concat())
+}
+
+fn planar<T: Float, L>(lines: &mut Lines, law: &str, number: &str, l: L)
+where
+    L: Planar<T> + PlanarPoint<T> + Clone,
+{
+    values(lines, law, number, &l);
+    let draw = |rng: &mut Pcg32| bits(l.sample(rng));
+    lines.draws(law, "sample", number, sixteen(draw));
+    lines.draws(law, "fill", number, filled(draw));
+    let rho = Radius::new(T::of(RADIUS)).expect("a radius");
+    lines.draws(
+        law,
+        "point",
+        number,
+        sixteen(|rng| bits(l.sample_point(rho, rng))),
+    );
+    lines.self_test(law, number, self_test::planar::<T, _>(l.clone()));
+}
+
+fn point3<T: Float>(
+    lines: &mut Lines,
+    law: &str,
+    number: &str,
+    draw: impl Fn(Radius<T>, &mut Pcg32) -> [T; 3],
+) {
+    let rho = Radius::new(T::of(RADIUS)).expect("a radius");
+    lines.draws(law, "point", number, sixteen(|rng| bits(draw(rho, rng))));
+}
+
+fn spatial<T: Float, L: Spatial<T> + Clone>(lines: &mut Lines, law: &str, number: &str, l: L) {
+    values(lines, law, number, &l);
+    let words = inputs().map(|x: T| l.pdf_solid_angle(x).bits());
+    lines.add(law, "pdf_solid_angle", number, words);
+    let draw = |rng: &mut Pcg32| bits(l.sample(rng));
+    lines.draws(law, "sample", number, sixteen(draw));
+    lines.draws(law, "fill", number, filled(draw));
+    let normal = NORMAL.map(T::of);
+    let around = sixteen(|rng| bits(l.sample_around(normal, rng)));
+    lines.draws(law, "sample_around", number, around);
+    let square = inputs().flat_map(|p: T| inputs().map(move |turn| [p, turn]));
+    let directions = square.flat_map(|u| [vec![0], bits(l.warp_direction(u))].concat());
+    let null = NULL_POINTER.cast_unsigned();
+    lines.add(law, "warp_direction", number, directions.chain([null]));
+    lines.self_test(law, number, self_test::spatial::<T, _>(l.clone()));
 }

@@ -4,9 +4,10 @@ use crate::Meter;
 use crate::inputs::{COUNT, FROM_END, TAILS};
 use crate::laws::EXPONENT;
 use coslobe::fixed::{CosPower, FixedLaw};
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
+use coslobe::{CosSin, Fixed};
 use fixed::traits::Fixed as Format;
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
@@ -37,26 +38,20 @@ pub(crate) fn probabilities<T: Format>() -> [T; COUNT] {
 
 /// Every operation of every law.
 pub fn every_fixed_law(meter: &mut Meter) {
-    law(meter, "Disk", &Fixed(Disk), true);
-    law(meter, "CircleShell", &Fixed(CircleShell), true);
-    law(meter, "CircleArc", &Fixed(CircleArc), true);
-    law(meter, "Ball", &Fixed(Ball), false);
-    law(meter, "SphereShell", &Fixed(SphereShell), false);
-    law(meter, "Lambert", &Fixed(Lambert), false);
+    every_integer_law(&mut Counted(meter));
     let power = CosPower::new(U16F16::from_num(EXPONENT));
     law(meter, "CosPower(20)", &Fixed(power), false);
 }
 
-/// A constant of a direction's type.
-trait Zero {
-    const ZERO: Self;
+struct Counted<'a, 'm>(&'a mut Meter<'m>);
+
+impl IntegerVisitor for Counted<'_, '_> {
+    fn law<L: IntegerLaw>(&mut self, l: L) {
+        law(self.0, L::ID.name(), &Fixed(l), L::ID.planar());
+    }
 }
 
-impl<const N: usize> Zero for [I1F31; N] {
-    const ZERO: Self = [I1F31::ZERO; N];
-}
-
-fn law<L, D: Zero>(meter: &mut Meter, name: &'static str, l: &Fixed<L>, planar: bool)
+fn law<L, D: Default>(meter: &mut Meter, name: &'static str, l: &Fixed<L>, planar: bool)
 where
     L: FixedLaw<Density: Format<Bits = u32>, Direction = D>,
 {
@@ -81,6 +76,6 @@ where
     meter.call("warp_sf", l, &p, Fixed::warp_sf, both);
     meter.call("quantile", l, &p, Fixed::quantile, turn);
     meter.call("isf", l, &p, Fixed::isf, turn);
-    meter.draw::<Pcg32, _, _>(l, Fixed::sample, |_, _| D::ZERO);
-    meter.draw::<XorShiftRng, _, _>(l, Fixed::sample, |_, _| D::ZERO);
+    meter.draw::<Pcg32, _, _>(l, Fixed::sample, |_, _| D::default());
+    meter.draw::<XorShiftRng, _, _>(l, Fixed::sample, |_, _| D::default());
 }

@@ -3,31 +3,26 @@
 use crate::Meter;
 use crate::fixed::{pairs, probabilities, turns};
 use coslobe::fixed::Fixed16Law;
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed16, Lambert, SphereShell};
+use coslobe::{CosSin, Fixed16};
 use fixed::types::{I0F16, I1F15, U0F16};
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
 /// Every operation of every law.
 pub fn every_fixed16_law(meter: &mut Meter) {
-    law(meter, "Disk", &Fixed16(Disk), true);
-    law(meter, "CircleShell", &Fixed16(CircleShell), true);
-    law(meter, "CircleArc", &Fixed16(CircleArc), true);
-    law(meter, "Ball", &Fixed16(Ball), false);
-    law(meter, "SphereShell", &Fixed16(SphereShell), false);
-    law(meter, "Lambert", &Fixed16(Lambert), false);
+    every_integer_law(&mut Counted(meter));
 }
 
-/// A constant of a direction's type.
-trait Zero {
-    const ZERO: Self;
+struct Counted<'a, 'm>(&'a mut Meter<'m>);
+
+impl IntegerVisitor for Counted<'_, '_> {
+    fn law<L: IntegerLaw>(&mut self, l: L) {
+        law(self.0, L::ID.name(), &Fixed16(l), L::ID.planar());
+    }
 }
 
-impl<const N: usize> Zero for [I1F15; N] {
-    const ZERO: Self = [I1F15::ZERO; N];
-}
-
-fn law<L, D: Zero>(meter: &mut Meter, name: &'static str, l: &Fixed16<L>, planar: bool)
+fn law<L, D: Default>(meter: &mut Meter, name: &'static str, l: &Fixed16<L>, planar: bool)
 where
     L: Fixed16Law<Direction = D>,
 {
@@ -50,6 +45,6 @@ where
     meter.call("warp_sf", l, &p, Fixed16::warp_sf, both);
     meter.call("quantile", l, &p, Fixed16::quantile, turn);
     meter.call("isf", l, &p, Fixed16::isf, turn);
-    meter.draw::<Pcg32, _, _>(l, Fixed16::sample, |_, _| D::ZERO);
-    meter.draw::<XorShiftRng, _, _>(l, Fixed16::sample, |_, _| D::ZERO);
+    meter.draw::<Pcg32, _, _>(l, Fixed16::sample, |_, _| D::default());
+    meter.draw::<XorShiftRng, _, _>(l, Fixed16::sample, |_, _| D::default());
 }

@@ -1,7 +1,7 @@
 //! Arguments that calls are counted over: ends, tails and the middle of each domain.
 
-use crate::Number;
 use coslobe::CosSin;
+use kit::Number;
 
 /// Arguments of each kind.
 pub(crate) const COUNT: usize = 16;
@@ -16,11 +16,13 @@ pub(crate) const TAILS: [f64; COUNT / 2] = [0.0, 1e-40, 1e-20, 1e-7, 1e-3, 0.1, 
 pub(crate) fn angles<T: Number>(planar: bool) -> [T; COUNT] {
     core::array::from_fn(|i| {
         let d = FROM_END[i / 2];
-        let theta = T::angle(if i % 2 == 0 {
+        let theta = T::of(if i % 2 == 0 {
             d
         } else {
             core::f64::consts::FRAC_PI_2 - d
         });
+        // f32's π/2 lies beyond the true one.
+        let theta = if theta > T::END { T::END } else { theta };
         if planar && i % 4 >= 2 { -theta } else { theta }
     })
 }

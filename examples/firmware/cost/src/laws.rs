@@ -2,82 +2,33 @@
 
 use crate::Meter;
 use crate::inputs::{angles, pairs, probabilities};
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Precise,
-    Real, Spatial, SphereShell,
-};
+use coslobe::{CosSin, Law, Planar, Spatial};
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw, catalogue};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
 /// Exponent of the power law that is counted: that of `tools/accuracy_cost`.
 pub(crate) const EXPONENT: f64 = 20.0;
 
-/// A number type that the inputs are rounded to.
-pub trait Number: Real + core::ops::Neg<Output = Self> {
-    fn of(x: f64) -> Self;
-
-    /// As [`of`](Number::of), but never beyond π/2.
-    fn angle(x: f64) -> Self;
-}
-
-/// f32's π/2 lies beyond the true one.
-const TOP_ANGLE: f32 = f32::from_bits(core::f32::consts::FRAC_PI_2.to_bits() - 1);
-
-impl Number for f32 {
-    fn of(x: f64) -> f32 {
-        x as f32
-    }
-    fn angle(x: f64) -> f32 {
-        (x as f32).min(TOP_ANGLE)
-    }
-}
-
-impl Number for f64 {
-    fn of(x: f64) -> f64 {
-        x
-    }
-    fn angle(x: f64) -> f64 {
-        x
-    }
-}
-
-impl Number for Fast<f32> {
-    fn of(x: f64) -> Self {
-        Fast(Number::of(x))
-    }
-    fn angle(x: f64) -> Self {
-        Fast(Number::angle(x))
-    }
-}
-
-impl Number for Precise<f32> {
-    fn of(x: f64) -> Self {
-        Precise(Number::of(x))
-    }
-    fn angle(x: f64) -> Self {
-        Precise(Number::angle(x))
-    }
-}
-
-impl Number for Precise<f64> {
-    fn of(x: f64) -> Self {
-        Precise(x)
-    }
-    fn angle(x: f64) -> Self {
-        Precise(x)
-    }
-}
-
 /// Every operation of every law.
 pub fn every_law<T: Number>(meter: &mut Meter) {
-    planar::<T, _>(meter, "Disk", &Disk);
-    planar::<T, _>(meter, "CircleShell", &CircleShell);
-    planar::<T, _>(meter, "CircleArc", &CircleArc);
-    spatial::<T, _>(meter, "Ball", &Ball);
-    spatial::<T, _>(meter, "SphereShell", &SphereShell);
-    spatial::<T, _>(meter, "Lambert", &Lambert);
-    let power = CosPower::new(T::of(EXPONENT)).expect("a valid exponent");
-    spatial::<T, _>(meter, "CosPower(20)", &power);
+    catalogue::every_law::<T>(&mut Counted(meter), &[EXPONENT]);
+}
+
+struct Counted<'a, 'm>(&'a mut Meter<'m>);
+
+impl<T: Number> LawVisitor<T> for Counted<'_, '_> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        planar::<T, L>(self.0, L::ID.name(), &law);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        let name = if id == Id::CosPower(EXPONENT) {
+            "CosPower(20)"
+        } else {
+            id.name()
+        };
+        spatial::<T, L>(self.0, name, &law);
+    }
 }
 
 // The methods themselves, not closures around them: a method that two operations share is not inlined, and a

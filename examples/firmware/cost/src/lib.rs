@@ -21,5 +21,5 @@ pub mod peers;
 
 pub use fixed::every_fixed_law;
 pub use fixed16::every_fixed16_law;
-pub use laws::{Number, every_law};
+pub use laws::every_law;
 pub use meter::{Meter, run};

@@ -5,14 +5,13 @@
 #![no_main]
 
 mod forbidden;
-mod operations;
 mod planted;
 
 mod calls {
     include!(concat!(env!("OUT_DIR"), "/calls.rs"));
 }
 
-use operations::Words;
+use links::operations::Words;
 
 /// The image's entry. Words in and out: a float would be moved by the FPU.
 // SAFETY: no other symbol of this name is linked.

@@ -1,5 +1,4 @@
 //! Calls to the library, each result of which the image's result depends on.
-#![allow(dead_code)] // which ones are used, COSLOBE_CALLS says
 
 use ::fixed::traits::Fixed as Format;
 use ::fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};
@@ -10,7 +9,7 @@ use coslobe::rand_core::TryRng;
 use coslobe::*;
 
 /// A small generator.
-pub(crate) struct Words(pub(crate) u32);
+pub struct Words(pub u32);
 
 impl TryRng for Words {
     type Error = Infallible;
@@ -30,7 +29,7 @@ impl TryRng for Words {
 }
 
 /// A number type by a word, and back.
-pub(crate) trait Number: Real {
+pub trait Number: Real {
     fn of(x: u32) -> Self;
     fn to(self) -> u32;
 }
@@ -76,19 +75,19 @@ where
 }
 
 /// A planar law's sampler alone.
-pub(crate) fn planar_sampler<T: Number>(law: impl Planar<T>, rng: &mut Words) -> u32 {
+pub fn planar_sampler<T: Number>(law: impl Planar<T>, rng: &mut Words) -> u32 {
     let d = law.sample(rng);
     (d[0] + d[1]).to()
 }
 
 /// A spatial law's sampler alone.
-pub(crate) fn spatial_sampler<T: Number>(law: impl Spatial<T>, rng: &mut Words) -> u32 {
+pub fn spatial_sampler<T: Number>(law: impl Spatial<T>, rng: &mut Words) -> u32 {
     let d = law.sample(rng);
     (d[0] + d[1] + d[2]).to()
 }
 
 /// A sampler in fixed point alone.
-pub(crate) fn fixed_sampler<L: FixedLaw>(law: L, rng: &mut Words) -> u32
+pub fn fixed_sampler<L: FixedLaw>(law: L, rng: &mut Words) -> u32
 where
     L::Direction: AsRef<[I1F31]>,
 {
@@ -97,7 +96,7 @@ where
 }
 
 /// `CosPower`'s sampler in fixed point alone.
-pub(crate) fn fixed_power_sampler(x: u32, rng: &mut Words) -> u32 {
+pub fn fixed_power_sampler(x: u32, rng: &mut Words) -> u32 {
     fixed_sampler(fixed_power(x), rng)
 }
 
@@ -106,7 +105,7 @@ fn fixed_power(x: u32) -> coslobe::fixed::CosPower {
 }
 
 /// Every operation in fixed point, and checks of it.
-pub(crate) fn fixed_everything(x: u32, rng: &mut Words) -> u32 {
+pub fn fixed_everything(x: u32, rng: &mut Words) -> u32 {
     fixed_law(Disk, x, rng)
         ^ fixed_law(CircleShell, x, rng)
         ^ fixed_law(CircleArc, x, rng)
@@ -137,7 +136,7 @@ where
 }
 
 /// A sampler in 16 bits alone.
-pub(crate) fn fixed16_sampler<L>(law: L, rng: &mut Words) -> u32
+pub fn fixed16_sampler<L>(law: L, rng: &mut Words) -> u32
 where
     L: Fixed16Law<Direction: AsRef<[I1F15]>>,
 {
@@ -146,7 +145,7 @@ where
 }
 
 /// Every operation in 16 bits.
-pub(crate) fn fixed16_everything(x: u32, rng: &mut Words) -> u32 {
+pub fn fixed16_everything(x: u32, rng: &mut Words) -> u32 {
     fixed16_law(Disk, x, rng)
         ^ fixed16_law(CircleShell, x, rng)
         ^ fixed16_law(CircleArc, x, rng)
@@ -173,17 +172,17 @@ where
 }
 
 /// What a Cortex-M0 needs a routine for.
-pub(crate) fn long_product(x: u32, rng: &mut Words) -> u32 {
+pub fn long_product(x: u32, rng: &mut Words) -> u32 {
     ((u64::from(x) * u64::from(rng.0)) >> 32) as u32
 }
 
 /// `CosPower`'s sampler alone.
-pub(crate) fn power_sampler<T: Number>(x: u32, rng: &mut Words) -> u32 {
+pub fn power_sampler<T: Number>(x: u32, rng: &mut Words) -> u32 {
     CosPower::new(T::of(x)).map_or(0, |law| spatial_sampler(law, rng))
 }
 
 /// Every operation of every law, and of points, frames and weights.
-pub(crate) fn everything<T: Number>(x: u32, rng: &mut Words) -> u32 {
+pub fn everything<T: Number>(x: u32, rng: &mut Words) -> u32 {
     let (x, one) = (T::of(x), T::of(x ^ 1));
     let mut sum = law(&Disk, x)
         + law(&CircleShell, x)
@@ -231,9 +230,9 @@ fn law<T: Real>(law: &impl Law<T>, x: T) -> T {
         + m.var_theta
 }
 
-fn sound<S: self_test::Subject>(mut check: self_test::Check<S>, rng: &mut Words) -> bool {
-    check.run(rng, self_test::SAMPLES);
-    check.verdict(self_test::Alarm::OneInBillion).is_ok()
+fn sound<S: self_test::Subject>(mut test: self_test::Test<S>, rng: &mut Words) -> bool {
+    test.run(rng, self_test::SAMPLES);
+    test.verdict(self_test::Alarm::OneInBillion).is_ok()
 }
 
 fn point<T: Real>(law: &impl SpatialPoint<T>, rho: Radius<T>, x: T, rng: &mut Words) -> T {
@@ -242,7 +241,7 @@ fn point<T: Real>(law: &impl SpatialPoint<T>, rho: Radius<T>, x: T, rng: &mut Wo
 }
 
 /// One pixel of a small scene, which lies at the address `x`: the shader without the scene's contents.
-pub(crate) fn shaded<S: scenes::Small>(x: u32, rng: &mut Words) -> u32 {
+pub fn shaded<S: scenes::Small>(x: u32, rng: &mut Words) -> u32 {
     // SAFETY: none is needed, since the image is not meant to run.
     let scene = unsafe { &*(x as *const shade_core::Scene<S::World>) };
     scenes::words::<S>(scene, (rng.0 as u16, (rng.0 >> 16) as u16))

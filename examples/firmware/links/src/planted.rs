@@ -8,6 +8,8 @@ pub(crate) fn planted(sum: u32, seed: u32) -> u32 {
     let _ = seed;
     #[cfg(feature = "plant-panic")]
     let sum = sum ^ [1, 2][seed as usize];
+    #[cfg(feature = "plant-overflow")]
+    let sum = sum + seed;
     #[cfg(feature = "plant-allocation")]
     let sum = *core::hint::black_box(alloc::boxed::Box::new(sum));
     #[cfg(feature = "plant-ram")]

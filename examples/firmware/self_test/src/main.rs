@@ -40,11 +40,11 @@ fn cost(case: &str) -> Option<u32> {
         black_box::<[f32; 3]>(Spatial::sample(black_box(&Lambert), &mut rng));
     }
     let alone = ticks.elapsed();
-    let mut check = self_test::spatial::<f32, _>(Lambert);
+    let mut test = self_test::spatial::<f32, _>(Lambert);
     ticks.restart();
-    check.run(&mut rng, N);
+    test.run(&mut rng, N);
     let checked = ticks.elapsed();
-    black_box(&check);
+    black_box(&test);
     let more = u64::from(checked - alone) * u64::from(board::Ticks::INSTRUCTIONS_IN_TWO);
     Some((more / 2 / u64::from(N)) as u32)
 }

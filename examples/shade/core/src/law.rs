@@ -35,7 +35,7 @@ impl Reads for Lambert {
 }
 impl Reads for SphereShell {}
 impl Reads for Ball {}
-impl<T> Reads for CosPower<T> {
+impl<T: Number> Reads for CosPower<T> {
     const SINE: bool = true;
 }
 impl Reads for CircleShell {
@@ -117,7 +117,7 @@ impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 
 
 /// Any law of space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum AnySpatial<T> {
+pub enum AnySpatial<T: Number> {
     /// cos θ.
     Lambert,
     /// cos²θ.

@@ -2,7 +2,11 @@
 
 use super::BY_SUMS;
 
-/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2²³ become multiples of 2ⁿ.
+const TWO_TO_MINUS_47: f32 = f32::from_bits((127 - 47) << 23);
+const TWO_TO_MINUS_65: f32 = f32::from_bits((127 - 65) << 23);
+
+/// The bits of a float whose last place counts 2ⁿ, n = `ulp`: with an integer below 2²³ in its last
+/// places it is more by that many times 2ⁿ.
 const fn carrier(ulp: i32) -> u32 {
     ((127 + 23 + ulp) as u32) << 23
 }
@@ -16,18 +20,30 @@ pub(crate) fn tail(n: u64) -> f32 {
 /// [`tail`] by one sum of floats, which rounds.
 #[inline(always)]
 fn summed(n: u64) -> f32 {
-    const HIGH: u32 = carrier(-24);
-    const LOW: u32 = carrier(-47);
-    if n >> 42 != 0 {
-        let high = f32::from_bits(HIGH | (n >> 40) as u32) - f32::from_bits(HIGH);
-        // Its last bit lies below the digits kept and stands for all that follow.
-        let low = (n >> 17) as u32 & 0x7F_FFFF | 1;
-        high + (f32::from_bits(LOW | low) - f32::from_bits(LOW))
+    const HIGH: u32 = carrier(23);
+    const LOW: u32 = carrier(0);
+    let (upper, lower) = ((n >> 32) as u32, n as u32);
+    // All 43 bits of 2n + 1 where that has no more, else the leading 46 of n, of which the last
+    // lies below the digits kept and stands for all that follow.
+    let deep = upper >> 10 == 0;
+    let high = if deep {
+        upper << 10 | lower >> 22
     } else {
-        // Signed, since an unsigned conversion is a branch on the top bit on many processors.
-        const TWO_TO_MINUS_65: f32 = f32::from_bits((127 - 65) << 23);
-        (2 * n + 1) as i64 as f32 * TWO_TO_MINUS_65
-    }
+        upper >> 8
+    };
+    let low = if deep {
+        lower << 1
+    } else {
+        upper << 15 | lower >> 17
+    };
+    let unit = if deep {
+        TWO_TO_MINUS_65
+    } else {
+        TWO_TO_MINUS_47
+    };
+    let high = f32::from_bits(HIGH | high) - f32::from_bits(HIGH);
+    let low = f32::from_bits(LOW | low & 0x7F_FFFF | 1) - f32::from_bits(LOW);
+    (high + low) * unit
 }
 
 /// [`tail`] by 32-bit integers alone.
@@ -88,8 +104,8 @@ fn summed_turn(bits: u32) -> f32 {
 mod tests {
     use super::*;
 
-    /// Both ways of [`tail`] against the compiler's unsigned conversion: every count of leading zeros,
-    /// and patterns of low bits around the tie of each.
+    /// Both ways of [`tail`] against the compiler's unsigned conversion: every count of leading
+    /// zeros, and patterns of low bits around the tie of each.
     #[test]
     fn tails_are_rounded_once() {
         let mut noise = 0x9E37_79B9_7F4A_7C15u64;

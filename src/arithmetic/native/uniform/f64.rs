@@ -3,7 +3,8 @@
 use super::BY_SUMS;
 use crate::arithmetic::native::f64::power_of_two;
 
-/// A float, whose last place counts `ulp` = 2ⁿ, by which integers below 2⁵² become multiples of 2ⁿ.
+/// The bits of a float whose last place counts 2ⁿ, n = `ulp`: with an integer below 2⁵² in its last
+/// places it is more by that many times 2ⁿ.
 const fn carrier(ulp: i32) -> u64 {
     ((1023 + 52 + ulp) as u64) << 52
 }
@@ -11,10 +12,43 @@ const fn carrier(ulp: i32) -> u64 {
 /// (2n + 1)·2⁻¹²⁹ for n < 2¹²⁷, rounded to nearest: never zero; ½ is reached and not passed.
 #[inline(always)]
 pub(crate) fn tail(n: u128) -> f64 {
-    half_more(n) * power_of_two(-128)
+    if BY_SUMS {
+        summed(n)
+    } else {
+        half_more(n) * power_of_two(-128)
+    }
 }
 
-/// n + ½ for n < 2¹²⁷, rounded once.
+/// [`tail`] by one sum of floats, which rounds.
+#[inline(always)]
+fn summed(n: u128) -> f64 {
+    const HIGH: u64 = carrier(52);
+    const LOW: u64 = carrier(0);
+    const PART: u64 = (1 << 52) - 1;
+    let (upper, lower) = ((n >> 64) as u64, n as u64);
+    // As in `f32`: all 78 bits of 2n + 1, or the leading 104 of n.
+    let deep = upper >> 13 == 0;
+    let high = if deep {
+        upper << 13 | lower >> 51
+    } else {
+        upper >> 11
+    };
+    let low = if deep {
+        lower << 1
+    } else {
+        upper << 41 | lower >> 23
+    };
+    let unit = if deep {
+        power_of_two(-129)
+    } else {
+        power_of_two(-105)
+    };
+    let high = f64::from_bits(HIGH | high) - f64::from_bits(HIGH);
+    let low = f64::from_bits(LOW | low & PART | 1) - f64::from_bits(LOW);
+    (high + low) * unit
+}
+
+/// n + ½ for n < 2¹²⁷, rounded once, for 32-bit processors.
 ///
 /// The general conversion is a library call; one of 64 bits is not. All that lies below those is
 /// never zero, and their last bit, itself below the digits kept, stands for it.
@@ -75,8 +109,8 @@ fn summed_turn(bits: u64) -> f64 {
 mod tests {
     use super::*;
 
-    /// [`half_more`] against the compiler's own conversion: every count of leading zeros, and patterns of
-    /// low bits around the tie of each.
+    /// [`half_more`] and [`summed`] against the compiler's own conversion: every count of leading
+    /// zeros, and patterns of low bits around the tie of each.
     #[test]
     fn half_more_is_rounded_once() {
         let mut noise = 0x9E37_79B9_7F4A_7C15u128;
@@ -96,6 +130,8 @@ mod tests {
                             let n = n & top & (top >> (127 - length));
                             let expected = (2 * n + 1) as f64 * 0.5;
                             assert_eq!(half_more(n).to_bits(), expected.to_bits(), "{n:#x}");
+                            let scaled = expected * power_of_two(-128);
+                            assert_eq!(summed(n).to_bits(), scaled.to_bits(), "{n:#x}");
                         }
                     }
                 }

@@ -64,8 +64,10 @@ pub fn broken<F: Format>(subjects: &[Subject<F>], tally: &Tally) -> Vec<String> 
             let what = format!("{} {:?} {name}", s.tier, s.id);
             let error = in_unit(s.tier, stat);
             if error > limit {
-                let input = stat.input;
-                all.push(format!("{what}: {error:.3} at {input:#x}, {limit} allowed"));
+                let (input, of) = (stat.input, stat.of.name());
+                all.push(format!(
+                    "{what}: {error:.3} at {of} {input:#x}, {limit} allowed"
+                ));
             }
             let misrounded = stat.misrounded_count();
             if limit == 0.5 && misrounded > 0 {

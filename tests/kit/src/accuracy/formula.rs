@@ -117,11 +117,14 @@ impl<W: Wide> Formula<W> {
     /// 2D: (cos θ / 2)/density; 3D: (cos θ / π)/density.
     pub fn lambert_weight(&self, at: &Direction<W>) -> W {
         let c = at.cos;
+        if c == W::default() && self.law.exponent() > 1.0 {
+            return W::of(f64::INFINITY);
+        }
         match self.law {
             Id::CircleShell | Id::Lambert => self.weight,
             Id::CircleArc => self.weight * c,
             Id::Disk | Id::SphereShell => self.weight / c,
-            Id::Ball => self.weight / (c * c),
+            Id::Ball => self.weight / c / c, // c² would underflow before the weight overflows
             Id::CosPower(_) => {
                 let log = self.weight.ln() + (W::of(1.0) - self.k) * at.ln_cos();
                 if log.near() > 709.8 {

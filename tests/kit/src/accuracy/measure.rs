@@ -10,19 +10,34 @@ use super::truths::{Angle, Slot, Truths, angle_slots, tail_slots};
 use super::wide::HALF_PI;
 use rayon::prelude::*;
 
-/// What is put in: an angle in [0, π/2], or its pair, or a probability in [0, ½] from either end,
-/// which is the whole domain since 1 − u is exact for u ≥ ½.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// What is put in: an angle in [0, π/2] and its pair, or a probability in [0, ½] from either end,
+/// which is the whole domain since 1 − u is exact for u ≥ ½, or a pair by its cosine or sine in [0, 1].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Input {
+    #[default]
     Angle,
     Tail,
+    Cos,
+    Sin,
 }
 
 impl Input {
+    pub const ALL: [Input; 4] = [Input::Angle, Input::Tail, Input::Cos, Input::Sin];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Input::Angle => "theta",
+            Input::Tail => "tail",
+            Input::Cos => "cos",
+            Input::Sin => "sin",
+        }
+    }
+
     pub fn top<F: Format>(self) -> u64 {
         match self {
             Input::Angle => F::TOP_ANGLE,
             Input::Tail => F::HALF_BITS,
+            Input::Cos | Input::Sin => F::of(1.0).bits(),
         }
     }
 
@@ -31,6 +46,7 @@ impl Input {
         Place::new::<F>(match self {
             Input::Angle => x.min(HALF_PI[0] - x + HALF_PI[1]),
             Input::Tail => x,
+            Input::Cos | Input::Sin => x.min(((1.0 - x) * (1.0 + x)).sqrt()),
         })
     }
 }
@@ -63,8 +79,8 @@ impl<F: Format> Bench<F> {
             self.places.extend(x.iter().map(|&x| input.place(x)));
         }
         let angles: Vec<_> = match input {
-            Input::Angle => x.iter().map(|&x| Angle::new(x)).collect(),
             Input::Tail => Vec::new(),
+            _ => x.iter().map(|&x| Angle::at(input, x)).collect(),
         };
         let pairs: Vec<_> = angles.iter().map(|a| a.pair).collect();
         let mut law = None;
@@ -77,18 +93,19 @@ impl<F: Format> Bench<F> {
                 }
                 let stat = &mut row[slot.op as usize];
                 if together {
-                    stat.judge(x, got, want, first);
+                    stat.judge(input, x, got, want, first);
                 } else {
-                    stat.judge_scattered(x, got, want, &self.places);
+                    stat.judge_scattered(input, x, got, want, &self.places);
                 }
             };
             match input {
-                Input::Angle => {
+                Input::Angle | Input::Cos | Input::Sin => {
                     if anew {
                         self.truths.angles(s.id, &angles);
                     }
-                    s.law.angles(x, &pairs, &mut self.got);
-                    for (i, slot) in angle_slots(s.id, s.solid) {
+                    let theta = if input == Input::Angle { Some(x) } else { None };
+                    s.law.angles(theta, &pairs, &mut self.got);
+                    for (i, slot) in angle_slots(s.id, s.solid, input) {
                         let want = self.truths.of(&slot);
                         judge(slot, &mut self.got[i], want);
                     }

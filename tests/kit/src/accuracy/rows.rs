@@ -2,7 +2,7 @@
 
 use super::format::Format;
 use super::inputs::exponents;
-use super::measure::{Input, sample, sweep};
+use super::measure::{sample, sweep};
 use super::op::{OPERATIONS, Op};
 use super::reference::Id;
 use super::subject::{Subject, Tiers};
@@ -23,6 +23,9 @@ pub struct Row {
     /// Every input of the format was tried.
     pub exhaustive: bool,
     pub worst_input_hex: String,
+    /// What that input is: theta, tail, cos or sin.
+    #[serde(default)]
+    pub worst_input_of: String,
     pub worst_input: f64,
     pub correctly_rounded_percent: f64,
     pub misrounded: u64,
@@ -82,6 +85,7 @@ impl Row {
             inputs: stat.tried,
             exhaustive,
             worst_input_hex: format!("{:#x}", stat.input),
+            worst_input_of: stat.of.name().to_owned(),
             worst_input: F::of_bits(stat.input).wide(),
             correctly_rounded_percent: 100.0 * stat.correct as f64 / stat.tried as f64,
             misrounded: stat.misrounded_count(),
@@ -115,16 +119,16 @@ fn rows<F: Format>(subjects: &[Subject<F>], tally: &Tally, exhaustive: bool) -> 
 /// Every `stride`-th number.
 pub fn swept<F: Tiers>(ids: &[Id], stride: u64, progress: impl Fn(u64) + Sync) -> Vec<Row> {
     let subjects = Subject::all(ids);
-    let tally = sweep(&subjects, Input::Angle, stride, &progress);
-    let tally = tally.merge(sweep(&subjects, Input::Tail, stride, &progress));
+    let each = |input| sweep(&subjects, input, stride, &progress);
+    let tally = Tally::over_inputs(each);
     rows::<F>(&subjects, &tally, stride == 1)
 }
 
 /// n stratified numbers of each kind.
 pub fn sampled<F: Tiers>(ids: &[Id], n: u64, progress: impl Fn(u64) + Sync) -> Vec<Row> {
     let subjects = Subject::all(ids);
-    let tally = sample(&subjects, Input::Angle, n, &progress);
-    let tally = tally.merge(sample(&subjects, Input::Tail, n, &progress));
+    let each = |input| sample(&subjects, input, n, &progress);
+    let tally = Tally::over_inputs(each);
     rows::<F>(&subjects, &tally, false)
 }
 

@@ -108,6 +108,6 @@ impl<F: Format> Subject<F> {
             return self.law.at_tail(x)[slot];
         }
         let slot = at(&AT_ANGLE).unwrap_or_else(|| panic!("unknown operation {operation}"));
-        self.law.at_angle(x, CosSin { cos: x, sin: x })[slot]
+        self.law.at_angle(Some(x), CosSin { cos: x, sin: x })[slot]
     }
 }

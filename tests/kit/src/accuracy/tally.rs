@@ -1,6 +1,7 @@
 //! Statistics of errors: kept by subject and operation, merged over threads.
 
 use super::format::Format;
+use super::measure::Input;
 use super::op::OPERATIONS;
 use super::truth::Truth;
 use super::wide::Wide;
@@ -35,8 +36,9 @@ impl Place {
 #[derive(Clone, Debug)]
 pub struct Stat {
     pub ulps: f64,
-    /// Bits of the worst argument (of the angle that a pair was rounded from).
+    /// Bits of the worst argument, and of what they are.
     pub input: u64,
+    pub of: Input,
     pub tried: u64,
     /// How many results were the nearest number.
     pub correct: u64,
@@ -55,6 +57,7 @@ impl Default for Stat {
         Stat {
             ulps: 0.0,
             input: 0,
+            of: Input::default(),
             tried: 0,
             correct: 0,
             ties: 0,
@@ -72,7 +75,14 @@ impl Stat {
     }
 
     /// Judges results that all lie at one place. The first pass only asks whether anything is new.
-    pub fn judge<F: Format>(&mut self, inputs: &[F], got: &[F], want: &Truth<F>, place: Place) {
+    pub fn judge<F: Format>(
+        &mut self,
+        of: Input,
+        inputs: &[F],
+        got: &[F],
+        want: &Truth<F>,
+        place: Place,
+    ) {
         let n = inputs.len();
         let (value, lift) = (&want.value[..n], &want.lift[..n]);
         let (per_ulp, per_value) = (&want.per_ulp[..n], &want.per_value[..n]);
@@ -92,7 +102,7 @@ impl Stat {
             || (correct < n as u64 && !(all_kept && inputs[0].bits() > self.misrounded[KEPT - 1]))
         {
             for i in 0..n {
-                self.look(i, inputs[i], got[i], want, place);
+                self.look((of, inputs[i]), got[i], want, i, place);
             }
         }
     }
@@ -100,6 +110,7 @@ impl Stat {
     /// Judges results one by one, each at its own place.
     pub fn judge_scattered<F: Format>(
         &mut self,
+        of: Input,
         inputs: &[F],
         got: &[F],
         want: &Truth<F>,
@@ -109,11 +120,18 @@ impl Stat {
             self.tried += 1;
             self.correct += u64::from(got[i] == want.nearest[i]);
             self.ties += u64::from(want.tie[i]);
-            self.look(i, input, got[i], want, places[i]);
+            self.look((of, input), got[i], want, i, places[i]);
         }
     }
 
-    fn look<F: Format>(&mut self, i: usize, input: F, got: F, want: &Truth<F>, place: Place) {
+    fn look<F: Format>(
+        &mut self,
+        (of, input): (Input, F),
+        got: F,
+        want: &Truth<F>,
+        i: usize,
+        place: Place,
+    ) {
         let right = got == want.nearest[i];
         let error = want.value[i].minus(got.lifted(want.lift[i])).abs();
         let or_infinite = |x: f64| match x.is_nan() {
@@ -138,7 +156,7 @@ impl Stat {
             0.0
         };
         if ulps > self.ulps {
-            (self.ulps, self.input) = (ulps, input.bits());
+            (self.ulps, self.input, self.of) = (ulps, input.bits(), of);
         }
         let bin = &mut self.bins[place.bin];
         *bin = bin.max(relative);
@@ -159,7 +177,7 @@ impl Stat {
 
     fn merge(&mut self, other: &Self) {
         if other.ulps > self.ulps {
-            (self.ulps, self.input) = (other.ulps, other.input);
+            (self.ulps, self.input, self.of) = (other.ulps, other.input, other.of);
         }
         self.tried += other.tried;
         self.correct += other.correct;
@@ -186,6 +204,12 @@ pub struct Tally(pub Vec<[Stat; OPERATIONS.len()]>);
 impl Tally {
     pub fn new(subjects: usize) -> Self {
         Tally(vec![Default::default(); subjects])
+    }
+
+    /// What `each` finds at every kind of input.
+    pub fn over_inputs(each: impl FnMut(Input) -> Tally) -> Self {
+        let all = Input::ALL.into_iter().map(each);
+        all.reduce(Tally::merge).expect("kinds of input")
     }
 
     pub fn merge(mut self, other: Self) -> Self {

@@ -61,7 +61,18 @@ impl<F: Format> Truth<F> {
         } else if near.is_finite() {
             self.decide(i, near, terms, fine());
         } else {
-            self.store(i, want, near, 1.0, F::of(near));
+            // Infinite, or the exponents of `F::Wide` ran out on the way.
+            let fine = fine();
+            let far = if fine.near().is_nan() {
+                near
+            } else {
+                fine.near()
+            };
+            if far.is_finite() {
+                self.decide(i, far, terms, fine);
+            } else {
+                self.store(i, F::Wide::of(far), far, 1.0, F::of(far));
+            }
         }
     }
 

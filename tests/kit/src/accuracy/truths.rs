@@ -9,11 +9,12 @@ use super::truth::Truth;
 use super::wide::Wide;
 use coslobe::CosSin;
 
-/// What all laws share at an angle.
+/// What all laws share at an angle, or at a pair.
 pub struct Angle<F: Format> {
     pub theta: F,
     pub pair: CosSin<F>,
-    at: Direction<F::Wide>,
+    /// Nothing of θ is judged where a pair was put in.
+    at: Option<Direction<F::Wide>>,
     paired: Direction<F::Wide>,
 }
 
@@ -24,37 +25,73 @@ impl<F: Format> Angle<F> {
         Angle {
             theta,
             pair: CosSin { cos, sin },
-            at,
+            at: Some(at),
             paired: Direction::at_pair(cos.wide(), sin.wide()),
+        }
+    }
+
+    /// The pair whose cosine or sine is `x`, the other component rounded.
+    pub fn of_component(x: F, is_cos: bool) -> Self {
+        let (one, x_wide) = (F::Wide::of(1.0), F::Wide::of(x.wide()));
+        let other = F::of((one - x_wide * x_wide).root().near());
+        let (cos, sin) = if is_cos { (x, other) } else { (other, x) };
+        let paired = Direction::<F::Wide>::at_pair(cos.wide(), sin.wide());
+        Angle {
+            theta: F::of(paired.theta.near()),
+            pair: CosSin { cos, sin },
+            at: None,
+            paired,
+        }
+    }
+
+    /// What is judged at the input `x`.
+    pub fn at(input: Input, x: F) -> Self {
+        match input {
+            Input::Angle | Input::Tail => Self::new(x),
+            Input::Cos | Input::Sin => Self::of_component(x, input == Input::Cos),
         }
     }
 }
 
-/// pdf, ln pdf, density at θ, density and weight of the pair, tails at θ and of the pair.
+/// pdf, ln pdf, density at θ, then (of the pair) density and weight, tails at θ and of the pair.
 fn at_angle<W: Wide>(
     f: &Formula<W>,
     at: &Direction<W>,
     paired: &Direction<W>,
     pair_cos: f64,
 ) -> [W; 9] {
+    let (lower, upper) = f.tails(at);
+    let [density, weight, pair_lower, pair_upper] = at_pair(f, paired, pair_cos);
+    [
+        f.pdf(at),
+        f.ln_pdf(at),
+        f.density(at),
+        density,
+        weight,
+        lower,
+        upper,
+        pair_lower,
+        pair_upper,
+    ]
+}
+
+/// Where those of the pair stand in [`at_angle`].
+const OF_PAIR: [usize; 4] = [3, 4, 7, 8];
+
+/// Density, weight and tails of a pair.
+fn at_pair<W: Wide>(f: &Formula<W>, paired: &Direction<W>, pair_cos: f64) -> [W; 4] {
     let reads_both = matches!(f.law, Id::CosPower(_));
     let from_cos = if reads_both {
         *paired
     } else {
         Direction::at_cos(pair_cos)
     };
-    let (lower, upper) = f.tails(at);
-    let (pair_lower, pair_upper) = f.tails(paired);
+    let (lower, upper) = f.tails(paired);
     [
-        f.pdf(at),
-        f.ln_pdf(at),
-        f.density(at),
         f.density(&from_cos),
         f.lambert_weight(&from_cos),
         lower,
         upper,
-        pair_lower,
-        pair_upper,
     ]
 }
 
@@ -78,8 +115,8 @@ pub fn runs_out<F: Format>(law: Id, theta: F) -> bool {
 /// All values of a law at an input, in W.
 pub fn values<F: Format, W: Wide>(law: Id, input: Input, x: F) -> Vec<W> {
     match input {
-        Input::Angle => {
-            let pair = Angle::new(x).pair;
+        Input::Angle | Input::Cos | Input::Sin => {
+            let pair = Angle::at(input, x).pair;
             let paired = Direction::at_pair(pair.cos.wide(), pair.sin.wide());
             let at = Direction::at_angle(x.wide());
             at_angle(&Formula::new(law), &at, &paired, pair.cos.wide()).to_vec()
@@ -88,20 +125,32 @@ pub fn values<F: Format, W: Wide>(law: Id, input: Input, x: F) -> Vec<W> {
     }
 }
 
-/// What looks like a tie at a tiny angle is one only if nothing follows the leading power of θ, and
-/// what follows may be too small for any format. It has the same sign at 2ˢθ, where it is seen:
-/// whether the true value lies above `tie` (`true`), below, or on it (`None`).
+/// What looks like a tie at a tiny angle, sine or cosine is one only if nothing follows its leading
+/// power, and what follows may be too small for any format. It has the same sign 2ˢ times as far from
+/// the end, where it is seen: whether the true value lies above `tie` (`true`), below, or on it (`None`).
 fn beyond_tie<F: Format>(law: Id, a: &Angle<F>, k: usize, tie: f64) -> Option<bool> {
-    let s = -28 - a.theta.wide().log2().floor() as i32;
+    let CosSin { cos, sin } = a.pair;
+    let at_horizon = a.at.is_none() && cos < sin;
+    let distance = match a.at {
+        Some(_) => a.theta,
+        None if at_horizon => cos,
+        None => sin,
+    };
+    let s = -28 - distance.wide().log2().floor() as i32;
     let tame = !matches!(law, Id::CosPower(exponent) if exponent > 1e3);
     if F::DIGITS != 24 || s <= 0 || !tame {
         return None;
     }
     let up = 2f64.powi(s);
-    let at = Direction::<F::Fine>::at_angle(a.theta.wide() * up);
-    let sin = a.pair.sin.wide() * up;
-    let paired = Direction::at_pair((1.0 - sin * sin).sqrt(), sin);
-    let value = at_angle(&Formula::new(law), &at, &paired, 1.0)[k];
+    let at = Direction::<F::Fine>::at_angle((a.theta.wide() * up).min(1.5));
+    let small = if at_horizon { cos } else { sin }.wide() * up;
+    let large = (1.0 - small * small).sqrt();
+    let (cos, paired) = if at_horizon {
+        (small, Direction::at_pair(small, large))
+    } else {
+        (1.0, Direction::at_pair(large, small))
+    };
+    let value = at_angle(&Formula::new(law), &at, &paired, cos)[k];
     let power = ((value.near() / tie).log2() / f64::from(s)).round();
     let lifted = tie * up.powf(power);
     let beyond = value.minus(lifted) / lifted;
@@ -118,7 +167,7 @@ pub struct Slot {
     pub negated: bool,
 }
 
-pub fn angle_slots(law: Id, solid: bool) -> impl Iterator<Item = (usize, Slot)> {
+pub fn angle_slots(law: Id, solid: bool, input: Input) -> impl Iterator<Item = (usize, Slot)> {
     // A planar law's references are those of −θ.
     let order: &[usize] = if law.planar() {
         &[0, 1, 2, 3, 4, 6, 5, 8, 7, 5, 6, 7, 8]
@@ -129,7 +178,10 @@ pub fn angle_slots(law: Id, solid: bool) -> impl Iterator<Item = (usize, Slot)> 
         let (op, negated) = (AT_ANGLE[i], false);
         (i, Slot { op, truth, negated })
     });
-    slots.filter(move |(_, s)| solid || s.op != Op::PdfSolidAngle)
+    slots.filter(move |(_, s)| {
+        let of_pair = input == Input::Angle || OF_PAIR.contains(&s.truth);
+        of_pair && (solid || s.op != Op::PdfSolidAngle)
+    })
 }
 
 pub fn tail_slots(law: Id) -> impl Iterator<Item = (usize, Slot)> {
@@ -177,7 +229,18 @@ impl<F: Format> Truths<F> {
                 let paired = Direction::at_pair(cos, a.pair.sin.wide());
                 at_angle(f, &at, &paired, cos)[k]
             };
-            for (k, want) in at_angle(&f, &a.at, &a.paired, cos).into_iter().enumerate() {
+            let values: [Option<F::Wide>; 9] = match &a.at {
+                Some(at) => at_angle(&f, at, &a.paired, cos).map(Some),
+                None => {
+                    let mut values = [None; 9];
+                    for (k, value) in OF_PAIR.into_iter().zip(at_pair(&f, &a.paired, cos)) {
+                        values[k] = Some(value);
+                    }
+                    values
+                }
+            };
+            for (k, want) in values.into_iter().enumerate() {
+                let Some(want) = want else { continue };
                 let terms = if k == 1 { f.ln_pdf_terms() } else { 0.0 };
                 if runs_out::<F>(law, a.theta) && want.near().is_finite() {
                     self.0[k].decide(i, want.near(), terms, fine(k));
@@ -190,7 +253,7 @@ impl<F: Format> Truths<F> {
                     self.0[k].break_tie(i, beyond);
                 }
             }
-            if let Id::CosPower(_) = law {
+            if let (Id::CosPower(_), Some(_)) = (law, &a.at) {
                 self.0[1].absolute_below_one(i);
             }
         }

@@ -7,14 +7,14 @@ use std::marker::PhantomData;
 
 /// All values of a law at an input in one call, so that the compiler may share work among them.
 pub trait Values<F>: Send + Sync {
-    /// In the order of [`AT_ANGLE`]; 0 for what the law has not.
-    fn at_angle(&self, theta: F, pair: CosSin<F>) -> [F; AT_ANGLE.len()];
+    /// In the order of [`AT_ANGLE`]; 0 for what the law has not, and of θ where there is none.
+    fn at_angle(&self, theta: Option<F>, pair: CosSin<F>) -> [F; AT_ANGLE.len()];
     /// In the order of [`AT_TAIL`].
     fn at_tail(&self, p: F) -> [F; AT_TAIL.len()];
     fn quantile(&self, p: F) -> F;
     fn isf(&self, p: F) -> F;
     /// The same over a block, `out[slot][i]`.
-    fn angles(&self, theta: &[F], pairs: &[CosSin<F>], out: &mut [Vec<F>]);
+    fn angles(&self, theta: Option<&[F]>, pairs: &[CosSin<F>], out: &mut [Vec<F>]);
     fn tails(&self, p: &[F], out: &mut [Vec<F>]);
 }
 
@@ -45,31 +45,25 @@ where
     S: Fn(&L, T) -> T + Send + Sync,
 {
     #[inline]
-    fn at_angle(&self, theta: T::Raw, pair: CosSin<T::Raw>) -> [T::Raw; AT_ANGLE.len()] {
-        let (law, theta) = (&self.law, T::of_raw(theta));
+    fn at_angle(&self, theta: Option<T::Raw>, pair: CosSin<T::Raw>) -> [T::Raw; AT_ANGLE.len()] {
+        let law = &self.law;
         let (cos, sin) = (T::of_raw(pair.cos), T::of_raw(pair.sin));
         let pair = CosSin { cos, sin };
         let zero = T::default();
         let mut values = [zero; AT_ANGLE.len()];
-        values[..9].copy_from_slice(&[
-            law.pdf(theta),
-            law.ln_pdf(theta),
-            (self.solid)(law, theta),
-            law.density(pair),
-            law.lambert_weight(pair),
-            law.cdf(theta),
-            law.sf(theta),
-            law.unwarp(pair),
-            law.unwarp_sf(pair),
-        ]);
+        (values[3], values[4]) = (law.density(pair), law.lambert_weight(pair));
+        (values[7], values[8]) = (law.unwarp(pair), law.unwarp_sf(pair));
         if self.planar {
             let mirrored = CosSin { cos, sin: -sin };
-            values[9..].copy_from_slice(&[
-                law.cdf(-theta),
-                law.sf(-theta),
-                law.unwarp(mirrored),
-                law.unwarp_sf(mirrored),
-            ]);
+            (values[11], values[12]) = (law.unwarp(mirrored), law.unwarp_sf(mirrored));
+        }
+        if let Some(theta) = theta.map(T::of_raw) {
+            (values[0], values[1]) = (law.pdf(theta), law.ln_pdf(theta));
+            values[2] = (self.solid)(law, theta);
+            (values[5], values[6]) = (law.cdf(theta), law.sf(theta));
+            if self.planar {
+                (values[9], values[10]) = (law.cdf(-theta), law.sf(-theta));
+            }
         }
         values.map(T::raw)
     }
@@ -90,8 +84,9 @@ where
         self.law.isf(T::of_raw(p)).raw()
     }
 
-    fn angles(&self, theta: &[T::Raw], pairs: &[CosSin<T::Raw>], out: &mut [Vec<T::Raw>]) {
-        for (i, (&theta, &pair)) in theta.iter().zip(pairs).enumerate() {
+    fn angles(&self, theta: Option<&[T::Raw]>, pairs: &[CosSin<T::Raw>], out: &mut [Vec<T::Raw>]) {
+        for (i, &pair) in pairs.iter().enumerate() {
+            let theta = theta.map(|theta| theta[i]);
             for (slot, value) in out.iter_mut().zip(self.at_angle(theta, pair)) {
                 slot[i] = value;
             }

@@ -1,9 +1,9 @@
 //! The operations of the 32-bit type beside what they should be.
 
+use super::truth::Truth;
 pub use super::truth::power_pair;
-use super::truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
-use coslobe::fixed::FixedLaw;
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Lambert, SphereShell};
+use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
+use coslobe::{CosSin, Fixed};
 use fixed::types::{I0F32, I1F31, U0F32};
 use std::ops::Deref;
 
@@ -33,51 +33,29 @@ impl Deref for Subject {
     }
 }
 
-trait Named: FixedLaw<Density = U0F32> + Default {
-    const TRUTH: Truth;
-    fn subject() -> Subject {
-        Subject {
-            truth: Self::TRUTH,
-            warp: |u| Fixed(Self::default()).warp(U0F32::from_bits(u)),
-            warp_sf: |u| Fixed(Self::default()).warp_sf(U0F32::from_bits(u)),
-            unwarp: |at| Fixed(Self::default()).unwarp(at),
-            unwarp_sf: |at| Fixed(Self::default()).unwarp_sf(at),
-            density: |at| Fixed(Self::default()).density(at),
-            pdf: |t| Fixed(Self::default()).pdf(I0F32::from_bits(t)),
-            cdf: |t| Fixed(Self::default()).cdf(I0F32::from_bits(t)),
-            sf: |t| Fixed(Self::default()).sf(I0F32::from_bits(t)),
-            quantile: |u| Fixed(Self::default()).quantile(U0F32::from_bits(u)),
-            isf: |u| Fixed(Self::default()).isf(U0F32::from_bits(u)),
-        }
+/// Every law without a parameter, in the order of [`Id::FIXED`](crate::Id::FIXED).
+pub fn subjects() -> Vec<Subject> {
+    let mut all = Subjects(Vec::new());
+    every_integer_law(&mut all);
+    all.0
+}
+
+struct Subjects(Vec<Subject>);
+
+impl IntegerVisitor for Subjects {
+    fn law<L: IntegerLaw>(&mut self, _: L) {
+        self.0.push(Subject {
+            truth: Truth::of(L::ID),
+            warp: |u| Fixed(L::default()).warp(U0F32::from_bits(u)),
+            warp_sf: |u| Fixed(L::default()).warp_sf(U0F32::from_bits(u)),
+            unwarp: |at| Fixed(L::default()).unwarp(at),
+            unwarp_sf: |at| Fixed(L::default()).unwarp_sf(at),
+            density: |at| Fixed(L::default()).density(at),
+            pdf: |t| Fixed(L::default()).pdf(I0F32::from_bits(t)),
+            cdf: |t| Fixed(L::default()).cdf(I0F32::from_bits(t)),
+            sf: |t| Fixed(L::default()).sf(I0F32::from_bits(t)),
+            quantile: |u| Fixed(L::default()).quantile(U0F32::from_bits(u)),
+            isf: |u| Fixed(L::default()).isf(U0F32::from_bits(u)),
+        });
     }
-}
-
-impl Named for Disk {
-    const TRUTH: Truth = DISK;
-}
-impl Named for CircleShell {
-    const TRUTH: Truth = CIRCLE_SHELL;
-}
-impl Named for CircleArc {
-    const TRUTH: Truth = CIRCLE_ARC;
-}
-impl Named for Ball {
-    const TRUTH: Truth = BALL;
-}
-impl Named for SphereShell {
-    const TRUTH: Truth = SPHERE_SHELL;
-}
-impl Named for Lambert {
-    const TRUTH: Truth = LAMBERT;
-}
-
-pub fn subjects() -> [Subject; 6] {
-    [
-        Disk::subject(),
-        CircleShell::subject(),
-        CircleArc::subject(),
-        Ball::subject(),
-        SphereShell::subject(),
-        Lambert::subject(),
-    ]
 }

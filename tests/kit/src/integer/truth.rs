@@ -1,5 +1,6 @@
 //! The laws in closed `f64` forms that share nothing with the crate.
 
+use crate::Id;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A law of the family cosᵏ.
@@ -11,17 +12,14 @@ pub struct Truth {
 }
 
 impl Truth {
-    pub const fn new(name: &'static str, planar: bool, k: i32) -> Self {
-        Truth { name, planar, k }
+    pub fn of(id: Id) -> Self {
+        Truth {
+            name: id.name(),
+            planar: id.planar(),
+            k: id.exponent() as i32,
+        }
     }
 }
-
-pub const DISK: Truth = Truth::new("Disk", true, 2);
-pub const CIRCLE_SHELL: Truth = Truth::new("CircleShell", true, 1);
-pub const CIRCLE_ARC: Truth = Truth::new("CircleArc", true, 0);
-pub const BALL: Truth = Truth::new("Ball", false, 3);
-pub const SPHERE_SHELL: Truth = Truth::new("SphereShell", false, 2);
-pub const LAMBERT: Truth = Truth::new("Lambert", false, 1);
 
 /// y with y − sin y = x, by bisection's sure relative: Newton from the series.
 fn kepler(x: f64) -> f64 {

@@ -1,12 +1,11 @@
 //! Absolute errors of directions in integers: their unit does not shrink with the component.
 
 use coslobe::fixed::CosPower;
-use coslobe::fixed::Fixed16Law;
-use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
-use fixed::types::{I1F31, U0F16, U0F32, U16F16};
+use coslobe::{CosSin, Fixed};
+use fixed::types::{I1F31, U0F32, U16F16};
 use kit::formulas::{EXPONENT, lambert_by_idsp};
 use kit::integer::reference::{Q31, Q32, power_pair, subjects};
-use kit::integer::truth::{BALL, CIRCLE_ARC, CIRCLE_SHELL, DISK, LAMBERT, SPHERE_SHELL, Truth};
+use kit::integer::short;
 
 /// Words in each octave from either end.
 const PER_OCTAVE: u32 = 256;
@@ -52,26 +51,13 @@ fn ours(law: &str) -> Option<f64> {
 
 /// In 16 bits, on every word.
 fn short(law: &str) -> Option<f64> {
-    match law {
-        "Disk" => Some(on_all(Disk, DISK)),
-        "CircleShell" => Some(on_all(CircleShell, CIRCLE_SHELL)),
-        "CircleArc" => Some(on_all(CircleArc, CIRCLE_ARC)),
-        "Ball" => Some(on_all(Ball, BALL)),
-        "SphereShell" => Some(on_all(SphereShell, SPHERE_SHELL)),
-        "Lambert" => Some(on_all(Lambert, LAMBERT)),
-        _ => None,
-    }
-}
-
-fn on_all<L: Fixed16Law>(law: L, truth: Truth) -> f64 {
-    let law = Fixed16(law);
+    let law = short::subjects().into_iter().find(|s| s.name == law)?;
     let each = (0..=u16::MAX).map(|w| {
         let (p, rest) = (f64::from(w) / 65536.0, (65536.0 - f64::from(w)) / 65536.0);
-        let w = U0F16::from_bits(w);
-        let near = off(law.warp(w), truth.pair(p, rest));
-        near.max(off(law.warp_sf(w), truth.pair(rest, p)))
+        let near = off((law.warp)(w), law.pair(p, rest));
+        near.max(off((law.warp_sf)(w), law.pair(rest, p)))
     });
-    each.fold(0.0, f64::max)
+    Some(each.fold(0.0, f64::max))
 }
 
 fn off<T: Into<f64>>(got: CosSin<T>, (cos, sin): (f64, f64)) -> f64 {

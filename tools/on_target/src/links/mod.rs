@@ -3,6 +3,7 @@
 mod elf;
 mod image;
 mod laws;
+mod overflow;
 pub(crate) mod scenes;
 mod sources;
 mod symbols;
@@ -41,13 +42,14 @@ pub(crate) fn run(report: &mut Report) -> Result<()> {
 }
 
 fn images(board: &Board) -> u64 {
-    whole::IMAGES + laws::images(board)
+    whole::IMAGES + laws::images(board) + overflow::images(board)
 }
 
 fn on_board(board: &Board, bar: &ProgressBar) -> Result<Shown> {
     board.has_target()?;
     let mut shown = whole::show(board, bar);
     shown.extend(laws::show(board, bar));
+    shown.extend(overflow::show(board, bar));
     Ok(shown)
 }
 

@@ -12,14 +12,14 @@ use indicatif::ProgressBar;
 pub(super) const IMAGES: u64 = 10;
 
 /// Every operation in the types that compute in `f32` alone.
-const SINGLE: &str = "everything::<f32>(x, rng) + everything::<Fast<f32>>(x, rng)";
+pub(super) const SINGLE: &str = "everything::<f32>(x, rng) ^ everything::<Fast<f32>>(x, rng)";
 /// Every operation in the types that compute in `f64`.
-const DOUBLE: &str = "everything::<f64>(x, rng) + everything::<Precise<f32>>(x, rng) \
-                      + everything::<Precise<f64>>(x, rng)";
+pub(super) const DOUBLE: &str = "everything::<f64>(x, rng) ^ everything::<Precise<f32>>(x, rng) \
+                      ^ everything::<Precise<f64>>(x, rng)";
 /// Every operation in fixed point, and checks of it.
-const FIXED: &str = "fixed_everything(x, rng)";
+pub(super) const FIXED: &str = "fixed_everything(x, rng)";
 /// The same in 16 bits.
-const FIXED16: &str = "fixed16_everything(x, rng)";
+pub(super) const FIXED16: &str = "fixed16_everything(x, rng)";
 /// What is planted, beside little else.
 const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";
 const LITTLE_FIXED: &str = "fixed_sampler(Lambert, rng)";

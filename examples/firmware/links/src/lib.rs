@@ -1,0 +1,4 @@
+//! What an image may call.
+#![no_std]
+
+pub mod operations;

@@ -1,0 +1,88 @@
+//! (cos θ, sin θ) with cosⁿθ a given tail: the n-th root of a probability, and what it leaves of 1.
+//!
+//! Method: y = (2/n)·log₂ of the tail; cos²θ = 2ʸ, of which cos θ is the root, which halves its
+//! error, and sin²θ what it lacks of 1, from 2ʳ − 1 at y's distance r to the nearest integer. The
+//! logarithm is that of the nearer tail, e + log₂(1 + f) with f exact. 2/n is held as a short
+//! head, whose product with e is exact, and a rest.
+//!
+//! No branch, no pair arithmetic in the hot path.
+
+use super::exp2::{exp2_m1, whole_and_rest};
+use super::format::Native;
+use super::pair::Pair;
+use super::poly::horner;
+use crate::{CosSin, Tails};
+
+/// What n ≥ 1 needs for it, worked out once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TailRoot<T> {
+    /// 2/n.
+    head: T,
+    rest: T,
+    /// 2/n · log₂ e.
+    slope: Pair<T>,
+    /// `up` = 2/n · 4ⁱ, `down` = 2⁻ⁱ: sin²θ itself may underflow.
+    up: T,
+    down: T,
+}
+
+impl<T: Native> TailRoot<T> {
+    pub(crate) fn new(n: Pair<T>) -> Self {
+        let two = T::ONE + T::ONE;
+        let share = Pair::exact(two).div(n);
+        let head = share.hi.exponent_factor();
+        let (m, e) = n.hi.split(T::ONE);
+        TailRoot {
+            head,
+            rest: (share.hi - head) + share.lo,
+            slope: share.div(T::CONSTANTS.ln_2),
+            up: two / m * T::exp2(60 - (e & 1)),
+            down: T::exp2(-30 - (e >> 1)),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn at(self, p: Tails<T>) -> CosSin<T> {
+        let (lower, upper) = (p.lower(), p.upper());
+        let (m, e) = upper.split(T::ROOT_HALF);
+        let from_lower = T::select(e == 0, -lower, T::ONE - (lower + lower));
+        // NaN takes the side that keeps it.
+        let f = T::select(upper <= T::HALF, m - T::ONE, from_lower);
+        let ln = ln_1p(f);
+        let e = T::from_i32(e);
+        let lead = e * self.head;
+        let trail = ln * self.slope.hi + (ln * self.slope.lo + e * self.rest);
+        let y = Pair {
+            hi: lead,
+            lo: trail,
+        };
+        let (n, r) = whole_and_rest(y);
+        let part = exp2_m1(r);
+
+        let square = (T::ONE + part.value()) * T::exp2(n & 1);
+        let lift = T::exp2((n >> 1).wrapping_add(T::LIFT_EXPONENT));
+        let cos = square.sqrt() * lift * T::DROP;
+
+        let power = T::exp2(n.max(T::LEAST_EXPONENT));
+        let full = ((T::ONE - power) - power * part.hi) - power * part.lo;
+        // −2 ln/n, to the first order: sin²θ of a large n or a small tail.
+        let first = T::ZERO - (e * T::CONSTANTS.ln_2.hi + ln) * self.up;
+        let slight = y.value() > -T::SLIGHT;
+        let sin = T::select(slight, first, full).sqrt() * T::select(slight, self.down, T::ONE);
+
+        let nothing = upper == T::ZERO;
+        CosSin {
+            cos: T::select(nothing, T::ZERO, cos),
+            sin: T::select(nothing, T::ONE, sin),
+        }
+    }
+}
+
+/// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as f − f²/2 + s(f²/2 + 2s²/3 + …), s = f/(2 + f).
+#[inline(always)]
+fn ln_1p<T: Native>(f: T) -> T {
+    let s = f / (T::ONE + T::ONE + f);
+    let w = s * s;
+    let half_square = f * f * T::HALF;
+    f - (half_square - s * (half_square + w * horner(w, T::TABLE.atanh)))
+}

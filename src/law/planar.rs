@@ -1,0 +1,94 @@
+//! What laws of a direction in the plane can do beyond [`Law`].
+
+use super::Law;
+use crate::batch::{self, Batch, LengthError};
+use crate::number::Real;
+use crate::uniform::TailBits;
+use crate::{CosSin, Sample, uniform};
+use rand_core::{Rng, TryRng};
+
+/// Laws of a direction in the plane.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in the plane, of the number type `{T}`",
+    label = "not planar",
+    note = "the laws in the plane are Disk, CircleShell and CircleArc"
+)]
+pub trait Planar<T: Real>: Law<T> {
+    /// Draws \[sin θ, cos θ\]: a unit vector with cos θ > 0.
+    ///
+    /// Randomness: one `next_u64` for `f32`, two for `f64`; no rejection.
+    #[inline]
+    fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
+        self.sample_from_bits(T::draw_tail_bits(rng))
+    }
+
+    /// [`sample`](Planar::sample) with a generator that can fail: the same words in the same order.
+    ///
+    /// # Errors
+    /// The generator's first error, handed on; no word is drawn after it.
+    #[inline]
+    fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[T; 2], R::Error> {
+        Ok(self.sample_from_bits(T::try_draw_tail_bits(rng)?))
+    }
+
+    /// The direction that [`sample`](Planar::sample) makes of the words it draws.
+    #[inline(always)]
+    fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
+        let CosSin { cos, sin } = self.warp_tails(uniform::tails_from_bits(bits));
+        [sin, cos]
+    }
+
+    /// What as many calls of [`sample`](Planar::sample) draw, in that order: sines, then cosines.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is drawn or written.
+    fn sample_slice<R: Rng + ?Sized>(
+        &self,
+        rng: &mut R,
+        out: [&mut [T]; 2],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        let words = batch::PlanarDraws::<T, R>::new(rng);
+        batch::map(
+            words,
+            out,
+            #[inline(always)]
+            |bits| self.sample_from_bits(bits),
+        )
+    }
+
+    /// [`sample_from_bits`](Planar::sample_from_bits) of each word.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written.
+    fn sample_from_bits_slice(
+        &self,
+        bits: &[TailBits<T>],
+        out: [&mut [T]; 2],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            batch::Words(bits),
+            out,
+            #[inline(always)]
+            |bits| self.sample_from_bits(bits),
+        )
+    }
+
+    /// Draws the direction of [`sample`](Planar::sample) with its cosine, sine and density: the
+    /// same words, the same bits.
+    #[inline]
+    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 2> {
+        let [sin, cos] = self.sample(rng);
+        let at = CosSin { cos, sin };
+        Sample {
+            direction: [sin, cos],
+            at,
+            density: self.density(at),
+        }
+    }
+}

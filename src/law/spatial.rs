@@ -1,0 +1,220 @@
+//! What laws of a direction in space can do beyond [`Law`].
+
+use super::Law;
+use crate::arithmetic::holds::Holds;
+use crate::arithmetic::kernel::{Kernel, Wide};
+use crate::batch::{self, Batch, LengthError};
+use crate::number::Real;
+use crate::number::tier::Margin;
+use crate::uniform::{TailBits, TurnBits};
+use crate::{CosSin, Frame, Sample, Tails, uniform};
+use rand_core::{Rng, TryRng};
+
+/// Laws of a direction in space, uniform in azimuth.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in space, of the number type `{T}`",
+    label = "not spatial",
+    note = "the laws in space are Ball, SphereShell, Lambert and CosPower"
+)]
+pub trait Spatial<T: Real>: Law<T> {
+    /// Density per steradian at polar angle θ.
+    fn pdf_solid_angle(&self, theta: T) -> T;
+
+    /// Draws \[sin θ cos φ, cos θ, sin θ sin φ\]: a unit vector with cos θ > 0.
+    ///
+    /// Randomness: one `next_u64` then one `next_u32` for `f32`, three `next_u64` for `f64`; no
+    /// rejection.
+    #[inline]
+    fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
+        let tail = T::draw_tail_bits(rng);
+        self.sample_from_bits(tail, T::draw_turn_bits(rng))
+    }
+
+    /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same
+    /// order.
+    ///
+    /// # Errors
+    /// The generator's first error, handed on; no word is drawn after it.
+    #[inline]
+    fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[T; 3], R::Error> {
+        let tail = T::try_draw_tail_bits(rng)?;
+        Ok(self.sample_from_bits(tail, T::try_draw_turn_bits(rng)?))
+    }
+
+    /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
+    #[inline(always)]
+    fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
+        let at = self.warp_tails(uniform::tails_from_bits(theta));
+        spherical(at, uniform::azimuth_from_bits(phi))
+    }
+
+    /// What as many calls of [`sample`](Spatial::sample) draw, in that order: a slice for each
+    /// component.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is drawn or written.
+    ///
+    /// ```
+    /// use coslobe::{Lambert, Spatial};
+    /// let mut rng = rand_pcg::Pcg32::new(1, 1);
+    /// let [mut x, mut y, mut z] = [[0.0f32; 100]; 3];
+    /// Spatial::sample_slice(&Lambert, &mut rng, [&mut x, &mut y, &mut z])?;
+    /// let mut again = rand_pcg::Pcg32::new(1, 1);
+    /// assert_eq!([x[0], y[0], z[0]], Lambert.sample(&mut again));
+    /// # Ok::<(), coslobe::LengthError>(())
+    /// ```
+    fn sample_slice<R: Rng + ?Sized>(
+        &self,
+        rng: &mut R,
+        out: [&mut [T]; 3],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        let words = batch::SpatialDraws::<T, R>::new(rng);
+        batch::map(
+            words,
+            out,
+            #[inline(always)]
+            |(theta, phi)| self.sample_from_bits(theta, phi),
+        )
+    }
+
+    /// [`sample_from_bits`](Spatial::sample_from_bits) of each pair of words.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written.
+    fn sample_from_bits_slice(
+        &self,
+        theta: &[TailBits<T>],
+        phi: &[TurnBits<T>],
+        out: [&mut [T]; 3],
+    ) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (batch::Words(theta), phi),
+            out,
+            #[inline(always)]
+            |(theta, phi)| self.sample_from_bits(theta, phi),
+        )
+    }
+
+    /// Draws the direction of [`sample`](Spatial::sample) with its cosine, sine and density: the
+    /// same words, the same bits.
+    #[inline]
+    fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
+        let at = self.warp_tails(uniform::tails(rng));
+        Sample {
+            direction: spherical(at, uniform::azimuth(rng)),
+            at,
+            density: self.density(at),
+        }
+    }
+
+    /// Draws a direction around the unit vector `normal`.
+    ///
+    /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
+    /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that its digits and may
+    /// lose its sign, so that a direction beside the horizon can come out on the surface or below
+    /// it: weigh it by the cosine and density of
+    /// [`sample_around_with_density`](Spatial::sample_around_with_density). Randomness as
+    /// [`sample`](Spatial::sample).
+    ///
+    /// ```
+    /// # use coslobe::{Lambert, Spatial};
+    /// # let mut rng = rand_pcg::Pcg32::new(1, 1);
+    /// let d: [f32; 3] = Lambert.sample_around([0.0, 0.0, -1.0], &mut rng);
+    /// assert!(d[2] < 0.0);
+    /// ```
+    #[inline]
+    fn sample_around<R: Rng + ?Sized>(&self, normal: [T; 3], rng: &mut R) -> [T; 3] {
+        Frame::from_unit(normal).to_world(Spatial::sample(self, rng))
+    }
+
+    /// Draws the direction of [`sample_around`](Spatial::sample_around) with the cosine, sine and
+    /// density that it was drawn with: the same words, the same bits.
+    #[inline]
+    fn sample_around_with_density<R: Rng + ?Sized>(
+        &self,
+        normal: [T; 3],
+        rng: &mut R,
+    ) -> Sample<T, 3> {
+        let frame = Frame::from_unit(normal);
+        Spatial::sample_with_density(self, rng).rotated(|d| frame.to_world(d))
+    }
+
+    /// The direction at cdf of θ = `u[0]` and azimuth φ = `u[1]` turns: for stratified or
+    /// low-discrepancy points. NaN outside \[0, 1\]².
+    #[inline(always)]
+    fn warp_direction(&self, u: [T; 2]) -> [T; 3] {
+        let turn = Tails::from_lower(u[1]).lower();
+        let azimuth = if turn.is_nan() {
+            CosSin {
+                cos: turn,
+                sin: turn,
+            }
+        } else {
+            CosSin::from_array(T::rounded(
+                Margin::Relative,
+                || T::Quick::at_turn(Holds::from_number(turn)).to_array(),
+                #[inline(always)]
+                || T::Accurate::at_turn(Holds::from_number(turn)).to_array(),
+            ))
+        };
+        spherical(self.warp_tails(Tails::from_lower(u[0])), azimuth)
+    }
+
+    /// [`warp_direction`](Spatial::warp_direction) of each pair of `u`: a slice for each component.
+    ///
+    /// # Errors
+    /// If the slices have unequal lengths; then nothing is written.
+    fn warp_direction_slice(&self, u: [&[T]; 2], out: [&mut [T]; 3]) -> Result<(), LengthError>
+    where
+        T: Batch,
+    {
+        batch::map(
+            (u[0], u[1]),
+            out,
+            #[inline(always)]
+            |(u, v)| self.warp_direction([u, v]),
+        )
+    }
+
+    /// \[cdf of θ, azimuth in turns in \[0, 1)\] of a direction: the inverse of
+    /// [`warp_direction`](Spatial::warp_direction).
+    #[inline]
+    fn unwarp_direction(&self, d: [T; 3]) -> [T; 2] {
+        let at = CosSin {
+            cos: d[1],
+            sin: CosSin::hypot(d[0], d[2]),
+        };
+        let [turn] = T::rounded(
+            Margin::Relative,
+            || [turns(Holds::from_number(d[2]), Holds::from_number(d[0]))],
+            || {
+                [turns::<T::Accurate>(
+                    Holds::from_number(d[2]),
+                    Holds::from_number(d[0]),
+                )]
+            },
+        );
+        let turn = if turn < T::ZERO { turn + T::ONE } else { turn };
+        // A negative turn smaller than half an ulp of 1 rounds to 1, which is 0 again.
+        let turn = if turn >= T::ONE { T::ZERO } else { turn };
+        [self.unwarp(at), turn.abs()]
+    }
+}
+
+/// The angle of (x, y) in turns, from −½ to ½.
+#[inline(always)]
+fn turns<W: Kernel>(y: W, x: W) -> W {
+    y.atan2(x) * W::CONSTANTS.recip_two_pi.value()
+}
+
+/// \[sin θ cos φ, cos θ, sin θ sin φ\].
+#[inline(always)]
+pub(crate) fn spherical<T: Real>(at: CosSin<T>, azimuth: CosSin<T>) -> [T; 3] {
+    [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
+}

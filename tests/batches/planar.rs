@@ -1,0 +1,85 @@
+//! Laws in the plane: directions of words and of a generator.
+
+use super::inputs::LENGTHS;
+use super::spatial::{hard_double_words, hard_halves, hard_words};
+use crate::{at_every_width, same};
+use coslobe::rand_core::Rng;
+use coslobe::uniform::TailBits;
+use coslobe::{Batch, CircleArc, CircleShell, Disk, Fast, LengthError, Planar};
+use kit::{Named, Number};
+use rand_pcg::{Pcg32, Pcg64};
+
+fn draws<T: Batch + Number, L: Planar<T> + Named, R: Rng + Clone>(law: &L, rng: R, width: &str) {
+    for len in LENGTHS.chain([1000]) {
+        let (mut one, mut other) = (rng.clone(), rng.clone());
+        let (mut sin, mut cos) = (vec![T::HALF; len], vec![T::HALF; len]);
+        assert_eq!(law.sample_slice(&mut one, [&mut sin, &mut cos]), Ok(()));
+        let scalar: Vec<_> = (0..len).map(|_| law.sample(&mut other)).collect();
+        let what = format!("{} {} sample, {width}, {len}", L::ID.name(), T::NAME);
+        same(&what, &sin, scalar.iter().map(|d| d[0]));
+        same(&what, &cos, scalar.iter().map(|d| d[1]));
+        assert_eq!(one.next_u64(), other.next_u64(), "{what}: state");
+    }
+}
+
+fn words<T: Batch + Number, L: Planar<T> + Named>(law: &L, words: &[TailBits<T>], width: &str) {
+    for len in LENGTHS.chain([words.len()]) {
+        let words = &words[..len];
+        let (mut sin, mut cos) = (vec![T::HALF; len], vec![T::HALF; len]);
+        assert_eq!(
+            law.sample_from_bits_slice(words, [&mut sin, &mut cos]),
+            Ok(())
+        );
+        let what = format!("{} {} words, {width}, {len}", L::ID.name(), T::NAME);
+        let scalar: Vec<_> = words
+            .iter()
+            .map(|&word| law.sample_from_bits(word))
+            .collect();
+        same(&what, &sin, scalar.iter().map(|d| d[0]));
+        same(&what, &cos, scalar.iter().map(|d| d[1]));
+    }
+}
+
+fn unequal<T: Batch + Number, L: Planar<T>>(law: &L, words: &[TailBits<T>]) {
+    for (expected, found) in [(64, 63), (64, 65), (0, 1), (65, 0)] {
+        let (mut sin, mut cos) = (vec![T::HALF; expected], vec![T::HALF; found]);
+        let error = Err(LengthError { expected, found });
+        let mut rng = Pcg32::new(1, 2);
+        assert_eq!(law.sample_slice(&mut rng, [&mut sin, &mut cos]), error);
+        assert_eq!(rng, Pcg32::new(1, 2), "drawn");
+        assert_eq!(
+            law.sample_from_bits_slice(&words[..expected], [&mut sin, &mut cos]),
+            error
+        );
+        assert!(sin.iter().chain(&cos).all(|&x| x == T::HALF), "written");
+    }
+}
+
+fn every_law<T: Batch + Number>(all: &[TailBits<T>]) {
+    fn law<T: Batch + Number, L: Planar<T> + Named>(law: L, all: &[TailBits<T>], width: &str) {
+        draws(&law, Pcg32::new(1, 2), width);
+        draws(&law, Pcg64::new(1, 2), width);
+        words(&law, all, width);
+        unequal(&law, all);
+    }
+    at_every_width(|width| {
+        law::<T, _>(Disk, all, width);
+        law::<T, _>(CircleShell, all, width);
+        law::<T, _>(CircleArc, all, width);
+    });
+}
+
+#[test]
+fn f32_directions() {
+    every_law::<f32>(&hard_words());
+}
+
+#[test]
+fn f64_directions() {
+    every_law::<f64>(&hard_double_words());
+}
+
+#[test]
+fn fast_directions() {
+    every_law::<Fast<f32>>(&hard_halves(700));
+}

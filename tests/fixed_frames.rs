@@ -1,0 +1,328 @@
+//! Frames and directions around a normal in integers, against `f64`: errors by search, statistics of
+//! the rotated lobes, and what normals are refused.
+
+use coslobe::fixed::{CosPower, Fixed16Law, FixedFrame, FixedLaw};
+use coslobe::rand_core::Rng;
+use coslobe::{Ball, Fixed, Fixed16, Lambert, Law, Moments, NormalError, SphereShell};
+use fixed::types::{I1F15, I1F31, U0F16, U0F32, U16F16};
+use kit::stats::claim::Claim;
+use kit::stats::harness::examine;
+use kit::stats::words;
+
+type Vector = [f64; 3];
+
+const N: usize = 400_000;
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn length(a: Vector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+fn scaled(a: Vector, by: f64) -> Vector {
+    a.map(|c| c * by)
+}
+
+/// A component in integers, by its units.
+trait Component: Copy + PartialEq + std::fmt::Debug + Into<f64> {
+    const UNIT: f64;
+    fn of(x: f64) -> Self;
+    fn world(normal: [Self; 3], local: [Self; 3]) -> [Self; 3];
+    fn local(normal: [Self; 3], world: [Self; 3]) -> [Self; 3];
+}
+
+impl Component for I1F31 {
+    const UNIT: f64 = 1.0 / 2147483648.0;
+    fn of(x: f64) -> Self {
+        I1F31::saturating_from_num(x)
+    }
+    fn world(normal: [Self; 3], local: [Self; 3]) -> [Self; 3] {
+        FixedFrame::new(normal)
+            .expect("a unit vector")
+            .to_world(local)
+    }
+    fn local(normal: [Self; 3], world: [Self; 3]) -> [Self; 3] {
+        FixedFrame::new(normal)
+            .expect("a unit vector")
+            .to_local(world)
+    }
+}
+
+impl Component for I1F15 {
+    const UNIT: f64 = 1.0 / 32768.0;
+    fn of(x: f64) -> Self {
+        I1F15::saturating_from_num(x)
+    }
+    fn world(normal: [Self; 3], local: [Self; 3]) -> [Self; 3] {
+        FixedFrame::new(normal)
+            .expect("a unit vector")
+            .to_world(local)
+    }
+    fn local(normal: [Self; 3], world: [Self; 3]) -> [Self; 3] {
+        FixedFrame::new(normal)
+            .expect("a unit vector")
+            .to_local(world)
+    }
+}
+
+/// The axes of the frame around a normal, as `Frame` documents them.
+fn axes(normal: Vector) -> [Vector; 3] {
+    coslobe::Frame::from_unit(scaled(normal, 1.0 / length(normal))).axes()
+}
+
+fn unit(rng: &mut impl Rng) -> Vector {
+    let mut next = || f64::from(rng.next_u32() as i32) / 2147483648.0;
+    let v = [next(), next(), next()];
+    // In any power of 2 beside an axis or a plane.
+    let shrink = |c: f64, by: u32| c * 2f64.powi(-(by as i32 % 40));
+    let words = rng.next_u32();
+    let v = match words % 4 {
+        0 => v,
+        1 => [v[0], shrink(v[1], words >> 8), v[2]],
+        2 => [shrink(v[0], words >> 8), v[1], shrink(v[2], words >> 16)],
+        _ => [shrink(v[0], words >> 8), shrink(v[1], words >> 16), v[2]],
+    };
+    let length = length(v);
+    if length > 1e-6 {
+        scaled(v, 1.0 / length)
+    } else {
+        [0.0, 1.0, 0.0]
+    }
+}
+
+/// The larger error, and what it is at.
+fn worse<C: Component>(worst: &mut (f64, [[C; 3]; 2]), error: f64, at: [[C; 3]; 2]) {
+    if error.is_nan() || error > worst.0 {
+        *worst = (error, at);
+    }
+}
+
+/// Largest errors in units of: a component to the world's and back, and a length.
+fn errors<C: Component>(name: &str) -> [f64; 3] {
+    let mut rng = words::pcg(name);
+    let zero = [[C::of(0.0); 3]; 2];
+    let mut worst = [(0.0, zero); 3];
+    let ends = [-1.0, 1.0, -0.5f64.sqrt(), 0.5f64.sqrt(), 0.6, -0.8];
+    for i in 0..2_000_000 {
+        let mut normal = unit(&mut rng);
+        if i < 3 * ends.len() {
+            normal = [0.0; 3];
+            normal[i % 3] = ends[i / 3];
+            normal[(i + 1) % 3] = (1.0 - ends[i / 3] * ends[i / 3]).sqrt();
+        }
+        let (normal, local) = (normal.map(C::of), unit(&mut rng).map(C::of));
+        let exact = axes(normal.map(Into::into));
+        let from = local.map(Into::into);
+        let world = C::world(normal, local);
+        let want: Vector =
+            std::array::from_fn(|j| (0..3).map(|a| exact[a][j] * from[a]).sum::<f64>());
+        let off = |found: [C; 3], want: Vector| {
+            let off = |(a, b): (C, f64)| (a.into() - b.clamp(C::UNIT - 1.0, 1.0 - C::UNIT)).abs();
+            found.into_iter().zip(want).map(off).fold(0.0, f64::max) / C::UNIT
+        };
+        worse(&mut worst[0], off(world, want), [normal, local]);
+        let back = C::local(normal, local);
+        let want = exact.map(|axis| dot(axis, from));
+        worse(&mut worst[1], off(back, want), [normal, local]);
+        let long = (length(world.map(Into::into)) - length(from)).abs() / C::UNIT;
+        worse(&mut worst[2], long, [normal, local]);
+    }
+    println!("{name}: {worst:?}");
+    worst.map(|(error, _)| error)
+}
+
+#[test]
+fn rotations_are_within_their_bounds() {
+    let long = errors::<I1F31>("I1F31");
+    let short = errors::<I1F15>("I1F15");
+    assert!(
+        long.iter().zip([10.0, 12.0, 9.0]).all(|(e, b)| *e <= b),
+        "{long:?}"
+    );
+    assert!(
+        short.iter().zip([3.5, 3.5, 4.0]).all(|(e, b)| *e <= b),
+        "{short:?}"
+    );
+}
+
+fn claim(name: &str, k: f64, unit: f64, moments: Moments<f64>) -> Claim {
+    Claim {
+        name: name.into(),
+        planar: false,
+        k,
+        moments,
+        epsilon: unit,
+        length: 12.0 * unit,
+        error: 12.0 * unit,
+        grid: 16.0 * unit,
+    }
+}
+
+/// A rotated direction in the axes of the law again, those below the surface by rounding on it.
+fn unrotated<C: Component>(normal: [C; 3], world: [C; 3]) -> Vector {
+    let axes = axes(normal.map(Into::into));
+    let [x, y, z] = axes.map(|axis| dot(axis, world.map(Into::into)));
+    [x, y.max(C::UNIT), z]
+}
+
+fn fixed<L: FixedLaw<Direction = [I1F31; 3]>>(name: &str, k: f64, law: L, m: Moments<f64>) {
+    for normal in [[0.36, -0.48, 0.8], [0.48, 0.6, -0.64], [0.0, 0.0, -1.0]] {
+        let normal = normal.map(I1F31::saturating_from_num);
+        let mut rng = words::pcg(name);
+        let draw = || unrotated(normal, Fixed(law).sample_around(normal, &mut rng));
+        let claim = claim(name, k, I1F31::UNIT, m);
+        examine(&claim, N, draw).without("ties").accepted();
+    }
+}
+
+fn fixed16<L: Fixed16Law<Direction = [I1F15; 3]>>(name: &str, k: f64, law: L, m: Moments<f64>) {
+    for normal in [[0.36, -0.48, 0.8], [0.48, 0.6, -0.64], [0.0, 0.0, -1.0]] {
+        let normal = normal.map(I1F15::saturating_from_num);
+        let mut rng = words::pcg(name);
+        let draw = || unrotated(normal, Fixed16(law).sample_around(normal, &mut rng));
+        // Of more samples the rounding of a cosine to a grid of 2⁻¹⁵ shows.
+        examine(&claim(name, k, I1F15::UNIT, m), N / 40, draw)
+            .without("ties")
+            .accepted();
+    }
+}
+
+#[test]
+fn rotated_lobes_keep_their_law() {
+    fixed("Lambert", 1.0, Lambert, Lambert.moments());
+    fixed("SphereShell", 2.0, SphereShell, SphereShell.moments());
+    fixed("Ball", 3.0, Ball, Ball.moments());
+    let power = coslobe::CosPower::new(20.0).expect("an exponent").moments();
+    fixed("CosPower", 20.0, CosPower::new(U16F16::from_num(20)), power);
+    fixed16("Lambert 16", 1.0, Lambert, Lambert.moments());
+    fixed16("SphereShell 16", 2.0, SphereShell, SphereShell.moments());
+    fixed16("Ball 16", 3.0, Ball, Ball.moments());
+}
+
+/// A sample with its density is the bare one, and its pair is the direction's before it was turned.
+#[test]
+fn samples_with_density_are_the_same() {
+    let normal = [0.48, 0.6, -0.64];
+    let (long, short) = (normal.map(I1F31::from_num), normal.map(I1F15::from_num));
+    let [mut a, mut b, mut c] = [0; 3].map(|_: i32| words::pcg("density"));
+    for _ in 0..10_000 {
+        let sample = Fixed(Ball).sample_around_with_density(long, &mut a);
+        assert_eq!(sample.direction, Fixed(Ball).sample_around(long, &mut b));
+        let plain = Fixed(Ball).sample_with_density(&mut c);
+        assert_eq!((plain.at, plain.density), (sample.at, sample.density));
+        assert_eq!(plain.at.cos, plain.direction[1]);
+        assert!(sample.density > 0 && sample.density == Fixed(Ball).density(sample.at));
+        let [x, _, z] = plain.direction.map(f64::from);
+        assert!((x.hypot(z) - f64::from(plain.at.sin)).abs() < 4.0 * I1F31::UNIT);
+        let sample = Fixed16(Ball).sample_around_with_density(short, &mut a);
+        assert_eq!(sample.direction, Fixed16(Ball).sample_around(short, &mut b));
+        let plain = Fixed16(Ball).sample_with_density(&mut c);
+        assert_eq!((plain.at, plain.density), (sample.at, sample.density));
+        assert!(sample.density > 0 && sample.density == Fixed16(Ball).density(sample.at));
+        let [x, _, z] = plain.direction.map(f64::from);
+        assert!((x.hypot(z) - f64::from(plain.at.sin)).abs() < 3.0 * I1F15::UNIT);
+    }
+}
+
+fn refusals<C: Component>(slack: f64, new: impl Fn([C; 3]) -> Option<NormalError>) {
+    for direction in [[0.36, -0.48, 0.8], [0.6, 0.8, 0.0], [-0.64, 0.6, 0.48]] {
+        for (off, refused) in [(0.9, false), (1.2, true), (-0.9, false), (-1.2, true)] {
+            let normal = scaled(direction, 1.0 + off * slack).map(C::of);
+            let expected = refused.then_some(NormalError::NotUnit);
+            assert_eq!(new(normal), expected, "{normal:?}");
+        }
+    }
+    assert_eq!(new([C::of(0.0); 3]), Some(NormalError::Zero));
+    assert_eq!(new([C::of(0.0), C::of(-1.0), C::of(0.0)]), None);
+    assert_eq!(new([C::of(-1.0); 3]), Some(NormalError::NotUnit));
+}
+
+#[test]
+fn normals_far_from_unit_are_refused() {
+    refusals(2f64.powi(-20), |n: [I1F31; 3]| FixedFrame::new(n).err());
+    refusals(2f64.powi(-12), |n: [I1F15; 3]| FixedFrame::new(n).err());
+}
+
+/// Any vector and any local direction is safe, and no component is −1.
+#[test]
+fn anything_is_safe() {
+    let mut rng = words::pcg("anything");
+    let corners = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX];
+    for i in 0..200_000 {
+        let mut next = |j: usize| {
+            let word = rng.next_u32();
+            let corner = corners.get((word >> 28) as usize + usize::from(i & j == 0));
+            corner.copied().unwrap_or(word as i32)
+        };
+        let v: [i32; 6] = std::array::from_fn(&mut next);
+        let [a, b] = [[v[0], v[1], v[2]], [v[3], v[4], v[5]]];
+        let frame = FixedFrame::from_unit(a.map(I1F31::from_bits));
+        let local = b.map(I1F31::from_bits);
+        assert!(!frame.to_world(local).contains(&I1F31::MIN));
+        assert!(!frame.to_local(local).contains(&I1F31::MIN));
+        let short = |v: [i32; 3]| v.map(|c| I1F15::from_bits((c >> 16) as i16));
+        let frame = FixedFrame::from_unit(short(a));
+        assert!(!frame.to_world(short(b)).contains(&I1F15::MIN));
+        assert!(!frame.to_local(short(b)).contains(&I1F15::MIN));
+    }
+}
+
+/// Largest error of a component of `warp_direction` and of `unwarp_direction` [θ, φ], in units.
+fn warped(k: i32) -> [f64; 3] {
+    let mut rng = words::pcg("warped");
+    let mut worst = [0.0f64; 3];
+    for _ in 0..400_000 {
+        let u = [rng.next_u32(), rng.next_u32()].map(U0F32::from_bits);
+        let [p, turn] = u.map(f64::from);
+        let cos = (1.0 - p).powf(1.0 / f64::from(k + 1));
+        let sin = (-(((-p).ln_1p() * 2.0) / f64::from(k + 1)).exp_m1()).sqrt();
+        let (s, c) = (turn * std::f64::consts::TAU).sin_cos();
+        let (d, back) = match k {
+            1 => {
+                let d = Fixed(Lambert).warp_direction(u);
+                (d, Fixed(Lambert).unwarp_direction(d))
+            }
+            _ => {
+                let d = Fixed(Ball).warp_direction(u);
+                (d, Fixed(Ball).unwarp_direction(d))
+            }
+        };
+        for (found, want) in d.into_iter().zip([sin * c, cos, sin * s]) {
+            worst[0] = worst[0].max((f64::from(found) - want).abs() / I1F31::UNIT);
+        }
+        let q32 = 4294967296.0;
+        worst[1] = worst[1].max((f64::from(back[0]) - p).abs() * q32);
+        // A turn's digits are as many as sin θ has.
+        let off = f64::from(back[1].to_bits().wrapping_sub(u[1].to_bits()) as i32).abs();
+        worst[2] = worst[2].max(off * sin);
+    }
+    worst
+}
+
+#[test]
+fn directions_warp_and_unwarp() {
+    let found = [warped(1), warped(3)];
+    println!("{found:?}");
+    for errors in found {
+        let bounds = [4.0, 24.0, 4.0];
+        assert!(errors.iter().zip(bounds).all(|(e, b)| *e <= b), "{found:?}");
+    }
+    let mut worst = [0.0f64; 2];
+    for i in 0..=u16::MAX {
+        let u = [i, i.wrapping_mul(0x9E37)].map(U0F16::from_bits);
+        let [p, turn] = u.map(f64::from);
+        let (s, c) = (turn * std::f64::consts::TAU).sin_cos();
+        let (cos, sin) = ((1.0 - p).sqrt(), p.sqrt());
+        let d = Fixed16(Lambert).warp_direction(u);
+        for (found, want) in d.into_iter().zip([sin * c, cos, sin * s]) {
+            worst[0] = worst[0].max((f64::from(found) - want).abs() / I1F15::UNIT);
+        }
+        let [_, back] = Fixed16(Lambert).unwarp_direction(d);
+        let off = f64::from(back.to_bits().wrapping_sub(u[1].to_bits()) as i16).abs();
+        worst[1] = worst[1].max(off * sin);
+    }
+    println!("{worst:?}");
+    assert!(worst[0] <= 2.0 && worst[1] <= 4.0, "{worst:?}");
+}

@@ -1,0 +1,186 @@
+//! The house stands as `ARCHITECTURE.md` draws it: no two modules import each other, directly or in
+//! a circle, no room imports one above it, files and lines are short, and a law or a number type is
+//! named in few files.
+
+mod graph;
+mod sources;
+
+use graph::{Graph, circle};
+use sources::{Source, files, sources};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// What stands in `src/`, from the ground up. Each imports only what stands before it.
+const ROOMS: [&str; 18] = [
+    "accuracy",
+    "generator",
+    "scalar",
+    "cos_sin",
+    "tails",
+    "arithmetic",
+    "moments",
+    "number",
+    "uniform",
+    "frame",
+    "weight",
+    "sample",
+    "batch",
+    "law",
+    "point",
+    "fixed",
+    "self_test",
+    "integration",
+];
+
+/// The same within `arithmetic/`.
+const ARITHMETICS: [&str; 8] = [
+    "constants",
+    "kernel",
+    "logarithmic",
+    "holds",
+    "native",
+    "double",
+    "scaled",
+    "fast",
+];
+
+/// The first two parts of a module's path below `room`: what stands in that folder.
+fn within(sources: &[Source], room: &[&str]) -> Graph {
+    let depth = room.len();
+    let mut graph = Graph::new();
+    for source in sources.iter().filter(|s| s.module.starts_with_parts(room)) {
+        let Some(from) = source.module.get(depth) else {
+            continue; // the folder's own mod.rs
+        };
+        let stands = graph.entry(from.clone()).or_default();
+        let imports = source.imports.iter().filter(|i| i.starts_with_parts(room));
+        stands.extend(
+            imports
+                .filter_map(|i| i.get(depth))
+                .filter(|to| *to != from)
+                .cloned(),
+        );
+    }
+    graph
+}
+
+trait StartsWith {
+    fn starts_with_parts(&self, parts: &[&str]) -> bool;
+}
+
+impl StartsWith for Vec<String> {
+    fn starts_with_parts(&self, parts: &[&str]) -> bool {
+        self.len() >= parts.len() && self.iter().zip(parts).all(|(a, b)| a == b)
+    }
+}
+
+#[test]
+fn no_circle_of_files() {
+    let graph = sources()
+        .into_iter()
+        .map(|s| {
+            (
+                s.module.join("::"),
+                s.imports.iter().map(|i| i.join("::")).collect(),
+            )
+        })
+        .collect();
+    assert_eq!(circle(&graph), None);
+}
+
+/// At every folder, what stands in it is one node, with all that it holds.
+#[test]
+fn no_circle_of_folders() {
+    let sources = sources();
+    let mut folders = BTreeSet::from([Vec::new()]);
+    for source in &sources {
+        folders.extend((1..source.module.len()).map(|n| source.module[..n].to_vec()));
+    }
+    assert!(folders.len() > 8, "{folders:?}");
+    for folder in folders {
+        let parts: Vec<&str> = folder.iter().map(String::as_str).collect();
+        assert_eq!(circle(&within(&sources, &parts)), None, "in {parts:?}");
+    }
+}
+
+#[test]
+fn no_room_imports_one_above_it() {
+    let sources = sources();
+    for (room, order) in [(&[][..], &ROOMS[..]), (&["arithmetic"], &ARITHMETICS)] {
+        for (from, tos) in within(&sources, room) {
+            let place = |name: &str| {
+                let place = order.iter().position(|r| *r == name);
+                place.unwrap_or_else(|| panic!("{name} has no place in the order of {room:?}"))
+            };
+            for to in tos {
+                assert!(place(&to) < place(&from), "{from} imports {to} in {room:?}");
+            }
+        }
+    }
+}
+
+/// Arithmetic knows no law, no generator and no number type of the public interface.
+#[test]
+fn arithmetic_knows_no_generator() {
+    for source in sources().iter().filter(|s| s.module[0] == "arithmetic") {
+        assert!(!source.text.contains("rand_core"), "{:?}", source.module);
+    }
+}
+
+/// `ARCHITECTURE.md` names every room.
+#[test]
+fn rooms_are_described() {
+    let page = include_str!("../../ARCHITECTURE.md");
+    for room in ROOMS.iter().chain(&ARITHMETICS) {
+        let found = [format!("`{room}`"), format!("`{room}/`")];
+        assert!(found.iter().any(|name| page.contains(name)), "{room}");
+    }
+}
+
+/// What it costs to add a law or a number type: how many Rust files name one.
+#[test]
+fn a_law_and_a_type_are_named_in_few_files() {
+    let folders = ["src", "tests", "examples", "tools", "fuzz"];
+    let texts: Vec<_> = folders.iter().flat_map(|f| files(Path::new(f))).collect();
+    assert!(texts.len() > 300, "{}", texts.len());
+    for (name, most) in [("SphereShell", MOST_OF_A_LAW), ("Fast", MOST_OF_A_TYPE)] {
+        let naming = texts.iter().filter(|(_, text)| {
+            let word = |c: char| c.is_alphanumeric() || c == '_';
+            text.split(|c| !word(c)).any(|w| w == name)
+        });
+        let naming: Vec<_> = naming.map(|(path, _)| path.display()).collect();
+        assert!(
+            naming.len() <= most,
+            "{name}: {}: {naming:#?}",
+            naming.len()
+        );
+    }
+}
+
+/// The aim is 55 and 35.
+const MOST_OF_A_LAW: usize = 75;
+const MOST_OF_A_TYPE: usize = 60;
+
+/// Generated files apart, about 200 lines and under 100 columns.
+#[test]
+fn files_and_lines_are_short() {
+    for (path, text) in files(Path::new("src")) {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let generated = name.starts_with("coefficients") || name == "table";
+        let most = if generated { 500 } else { MOST_LINES };
+        assert!(text.lines().count() <= most, "{}: too long", path.display());
+        for (i, line) in text.lines().enumerate() {
+            let table = line.trim_start().starts_with("//! |");
+            assert!(
+                generated || table || line.chars().count() <= MOST_COLUMNS,
+                "{}:{}: {} columns",
+                path.display(),
+                i + 1,
+                line.chars().count()
+            );
+        }
+    }
+}
+
+const MOST_LINES: usize = 280;
+const MOST_COLUMNS: usize = 100;

@@ -1,0 +1,65 @@
+//! Images of every operation with overflow checks on, at the levels that small flash calls for: no panic there
+//! either, whatever the optimiser leaves of the checks.
+
+use super::image::build_as;
+use super::whole::{DOUBLE, FIXED, FIXED16, SINGLE, complete};
+use super::{Shown, caught};
+use crate::boards::Board;
+use crate::failure::Result;
+use indicatif::ProgressBar;
+
+const LEVELS: [&str; 2] = ["s", "z"];
+
+/// Processors with the least instructions and with the most; other Thumb cores lie between them.
+fn shown_on(board: &Board) -> bool {
+    ["M0", "M4F"].contains(&board.name)
+}
+
+/// Images that [`show`] builds.
+pub(super) fn images(board: &Board) -> u64 {
+    if shown_on(board) {
+        2 * LEVELS.len() as u64
+    } else {
+        0
+    }
+}
+
+pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
+    if !shown_on(board) {
+        return Shown::new();
+    }
+    let all = [SINGLE, DOUBLE, FIXED, FIXED16].map(|calls| format!("({calls})"));
+    let all = all.join(" ^ ");
+    let linked = |level: &str, planted| {
+        let outcome = with_checks(board, &all, level, planted);
+        bar.inc(1);
+        outcome
+    };
+    LEVELS
+        .into_iter()
+        .flat_map(|level| {
+            [
+                (
+                    format!("opt-level {level}, overflow checks on: no panic"),
+                    linked(level, None),
+                ),
+                (
+                    format!("opt-level {level}: plant-overflow is caught"),
+                    caught(
+                        linked(level, Some("plant-overflow")),
+                        "undefined symbol: a_panic_is_reachable",
+                    ),
+                ),
+            ]
+        })
+        .collect()
+}
+
+fn with_checks(board: &Board, calls: &str, level: &str, planted: Option<&str>) -> Result<()> {
+    let settings = vec![
+        ("CARGO_PROFILE_RELEASE_OVERFLOW_CHECKS", "true".to_owned()),
+        ("CARGO_PROFILE_RELEASE_OPT_LEVEL", level.to_owned()),
+    ];
+    let (_, image) = build_as(board, calls, planted, settings)?;
+    complete(&image)
+}
