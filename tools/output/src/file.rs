@@ -135,7 +135,7 @@ fn behind_links(path: &Path) -> io::Result<PathBuf> {
             Err(_) => return Ok(path),
         }
     }
-    Err(ErrorKind::QuotaExceeded.into())
+    Err(io::Error::other("too many links"))
 }
 
 fn folder(path: &Path) -> &Path {
