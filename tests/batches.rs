@@ -10,11 +10,8 @@ mod batches {
 }
 
 use batches::inputs::{LENGTHS, numbers, pairs};
-use coslobe::{
-    Ball, Batch, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, LengthError,
-    SphereShell,
-};
-use kit::{Named, Number};
+use coslobe::{Batch, CosSin, Fast, Law, LengthError};
+use kit::{Id, LawVisitor, Named, Number, PlanarLaw, SpatialLaw, catalogue};
 use std::sync::Mutex;
 
 /// The width is one for the whole process.
@@ -169,23 +166,29 @@ fn unequal<T: Batch + Number, L: Law<T>>(law: &L) {
     }
 }
 
-fn law<T: Batch + Number, L: Law<T> + Named>(law: L, width: &str) {
-    unary(&law, width);
-    components(&law, width);
-    unequal(&law);
+/// Every function of slices, at a width.
+struct Functions<'a>(&'a str);
+
+impl Functions<'_> {
+    fn law<T: Batch + Number, L: Law<T> + Named>(&self, law: &L) {
+        unary(law, self.0);
+        components(law, self.0);
+        unequal(law);
+    }
+}
+
+impl<T: Batch + Number> LawVisitor<T> for Functions<'_> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        self.law::<T, L>(&law);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        self.law::<T, L>(&law);
+    }
 }
 
 fn every_law<T: Batch + Number>() {
     at_every_width(|width| {
-        law::<T, _>(Disk, width);
-        law::<T, _>(CircleShell, width);
-        law::<T, _>(CircleArc, width);
-        law::<T, _>(Ball, width);
-        law::<T, _>(SphereShell, width);
-        law::<T, _>(Lambert, width);
-        for k in [0.0, 1.0, 7.3, 1e4] {
-            law::<T, _>(CosPower::new(T::of(k)).expect("an exponent"), width);
-        }
+        catalogue::every_law::<T>(&mut Functions(width), &[0.0, 1.0, 7.3, 1e4]);
     });
 }
 

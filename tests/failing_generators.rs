@@ -1,13 +1,10 @@
 //! Generators that fail, as hardware does: the error is handed on, no word is drawn after it, and
 //! without one the words and bits are those of `sample`.
 
-use coslobe::fixed::{CosPower, Fixed16Law, FixedLaw};
+use coslobe::fixed::CosPower;
 use coslobe::rand_core::{Rng, TryRng};
-use coslobe::{
-    Ball, CircleArc, CircleShell, Disk, Fixed, Fixed16, Lambert, SphereShell, try_from_fn,
-};
-use fixed::types::U16F16;
-use kit::catalogue::{every_law, every_number};
+use coslobe::{Fixed, Fixed16, try_from_fn};
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law, every_law, every_number};
 use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use rand_pcg::Pcg32;
 use std::fmt::{self, Debug};
@@ -88,31 +85,28 @@ fn floats_hand_errors_on() {
     every_number(&mut Each);
 }
 
-fn fixed<L: FixedLaw<Direction: Debug> + Debug>(law: L) {
-    let law = Fixed(law);
-    let name = format!("{law:?}");
-    holds(&name, |rng| law.sample(rng), |rng| law.try_sample(rng));
-}
+struct Integers;
 
-fn fixed16<L: Fixed16Law<Direction: Debug> + Debug>(law: L) {
-    let law = Fixed16(law);
-    let name = format!("{law:?}");
-    holds(&name, |rng| law.sample(rng), |rng| law.try_sample(rng));
+impl IntegerVisitor for Integers {
+    fn law<L: IntegerLaw>(&mut self, law: L) {
+        let (long, short) = (Fixed(law), Fixed16(law));
+        let name = format!("Fixed({})", L::ID);
+        holds(&name, |rng| long.sample(rng), |rng| long.try_sample(rng));
+        let name = format!("Fixed16({})", L::ID);
+        holds(&name, |rng| short.sample(rng), |rng| short.try_sample(rng));
+    }
+
+    fn power(&mut self, law: CosPower) {
+        let law = Fixed(law);
+        holds(
+            "Fixed(CosPower)",
+            |rng| law.sample(rng),
+            |rng| law.try_sample(rng),
+        );
+    }
 }
 
 #[test]
 fn integers_hand_errors_on() {
-    fixed(Disk);
-    fixed(CircleShell);
-    fixed(CircleArc);
-    fixed(Ball);
-    fixed(SphereShell);
-    fixed(Lambert);
-    fixed(CosPower::new(U16F16::from_num(20)));
-    fixed16(Disk);
-    fixed16(CircleShell);
-    fixed16(CircleArc);
-    fixed16(Ball);
-    fixed16(SphereShell);
-    fixed16(Lambert);
+    every_integer_law(&mut Integers);
 }

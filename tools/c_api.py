@@ -53,7 +53,7 @@ class Number:
 def floats(name, title, new, get):
     roles = ("component", "probability", "angle", "density", "weight", "radius", "exponent")
     return Number(name, title, dict.fromkeys(roles, "float"), dict.fromkeys(roles, "f32"),
-                  dict.fromkeys(roles, new), get, 12)
+                  dict.fromkeys(roles, new), get, 24)
 
 
 NUMBERS = [
@@ -68,7 +68,7 @@ NUMBERS = [
             "exponent": "u32"},
            {"component": "I1F31::from_bits({})", "probability": "U0F32::from_bits({})",
             "angle": "I0F32::from_bits({})", "exponent": "U16F16::from_bits({})"},
-           "{}.to_bits()", 8),
+           "{}.to_bits()", 10),
     Number("q15", "16-bit integers: a third of the instructions on a Cortex-M0",
            {"component": "coslobe_q15", "probability": "coslobe_probability_q16",
             "angle": "coslobe_turn_q16", "density": "coslobe_density_q16"},
@@ -92,16 +92,12 @@ ARGUMENTS = {"angle": "theta", "pair": "at", "probability": "p"}
 
 
 def offered(op, number, law, size):
-    if op == "pdf_solid_angle":
-        return size == 3 and not number.is_integer
+    if op in ("pdf_solid_angle", "sample_around", "warp_direction"):
+        return size == 3
     if op in ("ln_pdf", "lambert_weight"):
         return not number.is_integer
     if op == "point":
         return law != "cos_power" and not number.is_integer
-    if op == "self_test" and number.name == "q15":
-        return False
-    if op in ("sample_around", "warp_direction"):
-        return size == 3 and not number.is_integer
     return True
 
 
@@ -200,7 +196,9 @@ def drawing(number, law, rust, size, op):
         arguments = [(f"{number.types['probability']} {x}", f"{x}: {number.rust['probability']}")
                      for x in ("p", "turn")] + [direction]
         u = ", ".join(number.new["probability"].format(x) for x in ("p", "turn"))
-        body = f"put(direction, {as_bits(f'Spatial::warp_direction(&{subject}, [{u}])')})"
+        call = (f"{subject}.warp_direction([{u}])" if number.is_integer
+                else f"Spatial::warp_direction(&{subject}, [{u}])")
+        body = f"put(direction, {as_bits(call)})"
     elif op == "point":
         arguments = [("float radius", "radius: f32"), rng,
                      (f"{component} point[{size}]", f"point: *mut [{r}; {size}]")]
@@ -211,10 +209,9 @@ def drawing(number, law, rust, size, op):
                 f"draw(rng, point, |words| {call}), Err(_) => RADIUS }}")
     else:  # self_test
         arguments = [rng, ("coslobe_fault *fault", "fault: *mut CFault")]
-        check = {"q31": f"fixed({subject})", "q15": f"fixed16({subject})"}.get(
-            number.name, f"{trait.lower()}::<{'f32' if number.name == 'f32' else 'Fast<f32>'}, _>"
-                         f"({subject})")
-        body = f"judge(rng, fault, self_test::{check})"
+        real = "f32" if number.name == "f32" else "Fast<f32>"
+        test = "fixed" if number.is_integer else f"{trait.lower()}::<{real}, _>"
+        body = f"judge(rng, fault, self_test::{test}({subject}))"
     if law == "cos_power":
         body = f"with(law, NULL_POINTER, |law| {{ {body} }})"
     kind = f"{op}{size}_{number.base}" if op != "self_test" else "self_test"
@@ -283,7 +280,7 @@ def rust_file(number):
            "q15": "use coslobe::Fixed16;\nuse fixed::types::{I0F16, I1F15, U0F16};\n"}
     common = ("use crate::boundary::*;\nuse core::ffi::c_int;\n"
               "use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, SphereShell};\n"
-              + ("" if number.name == "q15" else "use coslobe::self_test;\n"))
+              "use coslobe::self_test;\n")
     real = ("use coslobe::{CosPower, Law, Planar, PlanarPoint, Radius, Spatial, SpatialPoint};\n")
     fast = "use coslobe::Fast;\n" if number.name == "fast" else ""
     text = f"//! {number.title[0].upper()}{number.title[1:]}; {MADE}.\n\n{common}"

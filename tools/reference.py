@@ -203,6 +203,10 @@ def moment_rows():
     }
     powers = {"Ball": 3, "SphereShell": 2, "Lambert": 1}
     powers |= {f"CosPower({k:g})": k for k in (0.0, 0.5, 1.0, 7.3, 20.0, 35.5, 1e4, 1e6)}
+    # Found by attack: mean_theta 11.7 ulp in f64, var_theta 29 ulp in f32; then numbers of f32 from 0.001 to 60.
+    found = [float.fromhex("0x1.3366140e2c0c5p-10"), f32(0x3F6D4FDF)]
+    found += [f32(0x3A83126F + i * 0x00220F37) for i in range(60)]
+    powers |= {f"CosPower({k!r})": k for k in found}
     for name, k in powers.items():
         n = mpf(k) + 1
         mean = sqrt(pi) / 2 * gamma((n + 1) / 2) / gamma(n / 2 + 1)

@@ -41,7 +41,7 @@
 //! | `CosPower`, k ≤ 7.25 | 2.5 | 2 | | 1.01 · 2⁻¹⁶ | 1.01 · 2⁻¹⁶ | 6 | 2 |
 //! | `CosPower`, k < 65536 | 2.5 | 2 | | 30 · 2⁻¹⁶ | 1.5 · 2⁻¹⁶ | 180 | 2 |
 //!
-//! `tests/fixed` asserts these bounds. `warp` was tried on **every** word; its worst
+//! `tests/errors/q31` asserts these bounds. `warp` was tried on **every** word; its worst
 //! components and lengths:
 //!
 //! | | component | at | length | at |
@@ -74,7 +74,7 @@
 //! is within 1.7 units of the closed form of its words (10⁶ samples a law), its length within 1.5.
 //! `quantile` and `cdf` keep the order of their arguments: those of `CircleArc`, `CircleShell` and
 //! `Lambert` always, `Disk`'s and `Ball`'s cdf and `Ball`'s and `SphereShell`'s quantile but for a
-//! unit here and there. `tests/fixed16` asserts all this.
+//! unit here and there. `tests/errors/q15` asserts all this.
 //!
 //! # Words of randomness
 //!

@@ -1,7 +1,7 @@
 //! Real exponents: the Phong lobe.
 
 use super::Spatial;
-use super::formulas::{Formulas, Own, Phases, pdf_solid_angle};
+use super::formulas::{Formulas, Own, Phases, pdf_solid_angle, variance};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
@@ -249,18 +249,31 @@ impl<T: Real> Phases<T> for CosPower<T> {
 }
 
 fn moments<B: Native>(k: B) -> Moments<B> {
-    let next = Pair::two_sum(k, B::ONE);
-    let mean_cos = next.hi / (k + B::int(2));
-    let (mean_theta, weighted) = cosine_integrals(next.hi);
+    let plus = |n| Pair::two_sum(k, B::int(n));
+    let next = plus(1);
+    let mean_cos = next.div(plus(2));
+    // θ² is of the size of 1/k, which for a large k is subnormal.
+    let large = k * B::DROP * B::NEGLIGIBLE * B::NEGLIGIBLE > B::ONE;
+    let [down, root_down] = if large {
+        [B::DROP, B::ROOT_DROP]
+    } else {
+        [B::ONE, B::ONE]
+    };
+    let scaled = Pair {
+        hi: next.hi * down,
+        lo: next.lo * down,
+    };
+    let (mean_theta, weighted) = cosine_integrals(scaled);
+    let twice = weighted.add(weighted);
     let entropy = <B as Native>::CONSTANTS
         .ln_two_pi
         .add(ln(next).neg())
         .add(Pair::exact(k).div(next));
     Moments {
-        mean_cos,
-        var_cos: mean_cos / (k + B::int(3)) / (k + B::int(2)),
-        mean_theta,
-        var_theta: weighted + weighted - mean_theta * mean_theta,
+        mean_cos: mean_cos.value(),
+        var_cos: mean_cos.div(plus(3)).div(plus(2)).value(),
+        mean_theta: mean_theta.value() * root_down,
+        var_theta: variance(twice, mean_theta).value() * down,
         entropy: entropy.value(),
     }
 }

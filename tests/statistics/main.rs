@@ -1,8 +1,13 @@
+//! Promise: every sampler draws its law.
+//!
 //! χ², Kolmogorov–Smirnov, moments and tails of every law; and wrong samplers, which must fail them.
 //!
 //! The thorough run: `cargo test --release --test statistics -- --ignored --nocapture`.
 
+mod measures;
 mod mutants;
+mod q15;
+mod q31;
 
 use coslobe::rand_core::Rng;
 use coslobe::{Fast, Precise, Spatial};

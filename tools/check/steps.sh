@@ -5,6 +5,7 @@
 boards=qemu?,gcc?,defmt-print?,thumbv6m-none-eabi?,thumbv7m-none-eabi?,thumbv7em-none-eabi?,thumbv7em-none-eabihf?,riscv32imc-unknown-none-elf?
 #    name                     when  locks          needs             command
 step format                   quick -              format            formats
+step lockfiles                quick -              -                 lockfiles
 step lints                    quick clippy         clippy            lints
 step tests                    quick dev            -                 tests
 step boards-links             full  boards         $boards           on_target links
@@ -34,12 +35,19 @@ step targets                  full  targets        thumbv6m-none-eabi?,thumbv7em
 step publish                  full  publish        registry          cargo publish --dry-run --allow-dirty --quiet
 step readme                   full  release        -                 readme
 step runner                   quick -              -                 runner_says_what_it_lacks
+step template                 full  template       qemu,thumbv7em-none-eabihf tools/check/template
+step refused-targets          full  -              i586-unknown-linux-gnu tools/refused_targets
 step readme-firmware          full  boards         qemu,defmt-print,thumbv7em-none-eabihf tools/check/readme README.md firmware
 
-formats() { # of every workspace
+workspaces=(Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml)
+formats() {
   local manifest
-  for manifest in Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml; do
-    cargo fmt --all --check --manifest-path "$manifest"
+  for manifest in "${workspaces[@]}"; do cargo fmt --all --check --manifest-path "$manifest"; done
+}
+lockfiles() { # as committed, so that two machines build the same
+  local manifest
+  for manifest in "${workspaces[@]}"; do
+    cargo metadata --locked --format-version 1 --manifest-path "$manifest" >/dev/null
   done
 }
 features() { awk '/^\[/ { on = /features/ } on && / = / { print $1 }' Cargo.toml; } # the library's
@@ -72,7 +80,7 @@ features_alone() { # the library by itself too: what the tests depend on switche
   for feature in "" $(features); do
     echo "feature: ${feature:-none}"
     cargo check --quiet --lib --features "$feature"
-    cargo test --quiet --features "$feature" --test integrations --test golden
+    cargo test --quiet --features "$feature" --test integrations --test values
   done
 }
 core_for_targets() {

@@ -116,7 +116,7 @@ extern "C" {
 
 /* The law cos_power with its constants: coslobe_cos_power_init_f32 fills it in. */
 typedef struct coslobe_cos_power_f32 {
-    uint32_t state[12];
+    uint32_t state[24];
 } coslobe_cos_power_f32;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */
@@ -311,7 +311,7 @@ COSLOBE_NONNULL((1)) float coslobe_cos_power_lambert_weight_f32(
 
 /* The law cos_power with its constants: coslobe_cos_power_init_fast fills it in. */
 typedef struct coslobe_cos_power_fast {
-    uint32_t state[12];
+    uint32_t state[24];
 } coslobe_cos_power_fast;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */
@@ -507,7 +507,7 @@ COSLOBE_NONNULL((1)) float coslobe_cos_power_lambert_weight_fast(
 
 /* The law cos_power with its constants: coslobe_cos_power_init_q31 fills it in. */
 typedef struct coslobe_cos_power_q31 {
-    uint32_t state[8];
+    uint32_t state[10];
 } coslobe_cos_power_q31;
 
 /* disk, uniform by area in a disk: 2 cos^2(theta) / pi per radian. */
@@ -568,11 +568,16 @@ COSLOBE_CONST coslobe_density_q32 coslobe_circle_arc_density_q31(coslobe_cos_sin
 /* ball, uniform by volume in a ball: 2 cos^3(theta) / pi per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_ball_sample_around_q31(
+    const coslobe_q31 normal[3], const coslobe_rng *rng, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_ball_warp_direction_q31(
+    coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_ball_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_ball_pdf_q31(coslobe_turn_q32 theta);
+COSLOBE_CONST coslobe_density_q32 coslobe_ball_pdf_solid_angle_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_ball_cdf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_ball_sf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_turn_q32 coslobe_ball_quantile_q31(coslobe_probability_q32 p);
@@ -586,11 +591,17 @@ COSLOBE_CONST coslobe_density_q32 coslobe_ball_density_q31(coslobe_cos_sin_q31 a
 /* sphere_shell, radial shell on a sphere: 3 cos^2(theta) / (2 pi) per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_sphere_shell_sample_around_q31(
+    const coslobe_q31 normal[3], const coslobe_rng *rng, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_sphere_shell_warp_direction_q31(
+    coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_sphere_shell_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_pdf_q31(coslobe_turn_q32 theta);
+COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_pdf_solid_angle_q31(
+    coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_sphere_shell_cdf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_sphere_shell_sf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_turn_q32 coslobe_sphere_shell_quantile_q31(coslobe_probability_q32 p);
@@ -605,11 +616,16 @@ COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_density_q31(coslobe_cos_s
 /* lambert, uniform by area on a sphere: cos(theta) / pi per steradian, Lambert's law. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_lambert_sample_around_q31(
+    const coslobe_q31 normal[3], const coslobe_rng *rng, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_lambert_warp_direction_q31(
+    coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_lambert_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_lambert_pdf_q31(coslobe_turn_q32 theta);
+COSLOBE_CONST coslobe_density_q32 coslobe_lambert_pdf_solid_angle_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_lambert_cdf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_probability_q32 coslobe_lambert_sf_q31(coslobe_turn_q32 theta);
 COSLOBE_CONST coslobe_turn_q32 coslobe_lambert_quantile_q31(coslobe_probability_q32 p);
@@ -625,12 +641,20 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_cos_power_init_q31(
     coslobe_cos_power_q31 *law, coslobe_exponent_q16_16 exponent);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_cos_power_sample_q31(
     const coslobe_cos_power_q31 *law, const coslobe_rng *rng, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3, 4)) int coslobe_cos_power_sample_around_q31(
+    const coslobe_cos_power_q31 *law, const coslobe_q31 normal[3], const coslobe_rng *rng,
+    coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_cos_power_fill_q31(
     const coslobe_cos_power_q31 *law, const coslobe_rng *rng, coslobe_q31 *directions,
     size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 4)) int coslobe_cos_power_warp_direction_q31(
+    const coslobe_cos_power_q31 *law, coslobe_probability_q32 p,
+    coslobe_probability_q32 turn, coslobe_q31 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_cos_power_self_test_q31(
     const coslobe_cos_power_q31 *law, const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_NONNULL((1)) coslobe_density_q16_16 coslobe_cos_power_pdf_q31(
+    const coslobe_cos_power_q31 *law, coslobe_turn_q32 theta);
+COSLOBE_NONNULL((1)) coslobe_density_q16_16 coslobe_cos_power_pdf_solid_angle_q31(
     const coslobe_cos_power_q31 *law, coslobe_turn_q32 theta);
 COSLOBE_NONNULL((1)) coslobe_probability_q32 coslobe_cos_power_cdf_q31(
     const coslobe_cos_power_q31 *law, coslobe_turn_q32 theta);
@@ -658,6 +682,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_disk_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_disk_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_disk_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_disk_sf_q15(coslobe_turn_q16 theta);
@@ -674,6 +700,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_shell_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_shell_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_shell_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_shell_sf_q15(coslobe_turn_q16 theta);
@@ -691,6 +719,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_arc_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_arc_pdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_arc_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_arc_sf_q15(coslobe_turn_q16 theta);
@@ -705,9 +735,16 @@ COSLOBE_CONST coslobe_density_q16 coslobe_circle_arc_density_q15(coslobe_cos_sin
 /* ball, uniform by volume in a ball: 2 cos^3(theta) / pi per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_ball_sample_around_q15(
+    const coslobe_q15 normal[3], const coslobe_rng *rng, coslobe_q15 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_ball_warp_direction_q15(
+    coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_ball_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_ball_pdf_q15(coslobe_turn_q16 theta);
+COSLOBE_CONST coslobe_density_q16 coslobe_ball_pdf_solid_angle_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_ball_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_ball_sf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_turn_q16 coslobe_ball_quantile_q15(coslobe_probability_q16 p);
@@ -721,9 +758,17 @@ COSLOBE_CONST coslobe_density_q16 coslobe_ball_density_q15(coslobe_cos_sin_q15 a
 /* sphere_shell, radial shell on a sphere: 3 cos^2(theta) / (2 pi) per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_sphere_shell_sample_around_q15(
+    const coslobe_q15 normal[3], const coslobe_rng *rng, coslobe_q15 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_sphere_shell_warp_direction_q15(
+    coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_sphere_shell_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_pdf_q15(coslobe_turn_q16 theta);
+COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_pdf_solid_angle_q15(
+    coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_sphere_shell_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_sphere_shell_sf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_turn_q16 coslobe_sphere_shell_quantile_q15(coslobe_probability_q16 p);
@@ -738,9 +783,16 @@ COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_density_q15(coslobe_cos_s
 /* lambert, uniform by area on a sphere: cos(theta) / pi per steradian, Lambert's law. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1, 2, 3)) int coslobe_lambert_sample_around_q15(
+    const coslobe_q15 normal[3], const coslobe_rng *rng, coslobe_q15 direction[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_lambert_warp_direction_q15(
+    coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_lambert_self_test_q15(
+    const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_lambert_pdf_q15(coslobe_turn_q16 theta);
+COSLOBE_CONST coslobe_density_q16 coslobe_lambert_pdf_solid_angle_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_lambert_cdf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_probability_q16 coslobe_lambert_sf_q15(coslobe_turn_q16 theta);
 COSLOBE_CONST coslobe_turn_q16 coslobe_lambert_quantile_q15(coslobe_probability_q16 p);

@@ -7,7 +7,7 @@ use core::convert::Infallible;
 use core::ffi::{c_int, c_void};
 use core::marker::PhantomData;
 use coslobe::rand_core::{Rng, TryRng};
-use coslobe::self_test::{self, Alarm, Check, Fault, Score, Statistic, Subject};
+use coslobe::self_test::{self, Alarm, Fault, Score, Statistic, Subject, Test};
 
 /// The header's `COSLOBE_…`; above 0 is what the generator returned.
 pub(crate) const OK: c_int = 0;
@@ -164,7 +164,7 @@ pub struct Handle<L, const WORDS: usize> {
 }
 
 impl<L, const WORDS: usize> Handle<L, WORDS> {
-    const FITS: () = assert!(size_of::<L>() <= 4 * WORDS && align_of::<L>() <= 4);
+    const FITS: () = assert!(size_of::<L>() <= 4 * WORDS);
 }
 
 /// Fills the handle in, or leaves it as it is where there is no law.
@@ -177,8 +177,12 @@ pub(crate) unsafe fn init<L, const WORDS: usize>(
 ) -> c_int {
     const { Handle::<L, WORDS>::FITS };
     match law {
-        // SAFETY: the handle is as large as the law, and aligned as it is.
-        Some(law) => unsafe { put(handle.cast(), law) },
+        Some(_) if handle.is_null() => NULL_POINTER,
+        Some(law) => {
+            // SAFETY: valid for a write, and no smaller than the law.
+            unsafe { handle.cast::<L>().write_unaligned(law) };
+            OK
+        }
         None => EXPONENT,
     }
 }
@@ -192,11 +196,11 @@ pub(crate) unsafe fn with<L: Copy, T, const WORDS: usize>(
     missing: T,
     f: impl FnOnce(L) -> T,
 ) -> T {
-    // SAFETY: null, or valid for a read of as many words as the law has at most.
-    match unsafe { handle.cast::<L>().as_ref() } {
-        Some(&law) => f(law),
-        None => missing,
+    if handle.is_null() {
+        return missing;
     }
+    // SAFETY: not null, so valid for a read of no fewer words than the law has.
+    f(unsafe { handle.cast::<L>().read_unaligned() })
 }
 
 /// `coslobe_fault` of the header.
@@ -260,17 +264,17 @@ impl From<Fault> for CFault {
 pub(crate) unsafe fn judge<S: Subject>(
     rng: *const Generator,
     fault: *mut CFault,
-    mut check: Check<S>,
+    mut test: Test<S>,
 ) -> c_int {
     // SAFETY: the caller's promise.
     let Some(mut words) = (unsafe { words(rng) }) else {
         return NULL_POINTER;
     };
-    check.run(&mut words, self_test::SAMPLES);
+    test.run(&mut words, self_test::SAMPLES);
     if words.failure != OK {
         return words.failure;
     }
-    let Err(found) = check.verdict(Alarm::OneInBillion) else {
+    let Err(found) = test.verdict(Alarm::OneInBillion) else {
         return OK;
     };
     // SAFETY: null or valid for a write.

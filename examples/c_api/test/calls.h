@@ -148,9 +148,17 @@ static int cos_power_sample_q31(const coslobe_rng *rng, coslobe_q31 direction[3]
 {
     return coslobe_cos_power_sample_q31(&lobe_q31, rng, direction);
 }
+static int cos_power_sample_around_q31(const coslobe_q31 normal[3], const coslobe_rng *rng, coslobe_q31 direction[3])
+{
+    return coslobe_cos_power_sample_around_q31(&lobe_q31, normal, rng, direction);
+}
 static int cos_power_fill_q31(const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled)
 {
     return coslobe_cos_power_fill_q31(&lobe_q31, rng, directions, n, filled);
+}
+static int cos_power_warp_direction_q31(coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3])
+{
+    return coslobe_cos_power_warp_direction_q31(&lobe_q31, p, turn, direction);
 }
 static int cos_power_self_test_q31(const coslobe_rng *rng, coslobe_fault *fault)
 {
@@ -159,6 +167,10 @@ static int cos_power_self_test_q31(const coslobe_rng *rng, coslobe_fault *fault)
 static coslobe_density_q16_16 cos_power_pdf_q31(coslobe_turn_q32 theta)
 {
     return coslobe_cos_power_pdf_q31(&lobe_q31, theta);
+}
+static coslobe_density_q16_16 cos_power_pdf_solid_angle_q31(coslobe_turn_q32 theta)
+{
+    return coslobe_cos_power_pdf_solid_angle_q31(&lobe_q31, theta);
 }
 static coslobe_probability_q32 cos_power_cdf_q31(coslobe_turn_q32 theta)
 {
@@ -483,9 +495,12 @@ CALL(probability_of_pair_q31, coslobe_circle_arc_unwarp_q31, "coslobe_circle_arc
 CALL(probability_of_pair_q31, coslobe_circle_arc_unwarp_sf_q31, "coslobe_circle_arc_unwarp_sf_q31")
 CALL(density_of_pair_q31, coslobe_circle_arc_density_q31, "coslobe_circle_arc_density_q31")
 CALL(sample3_q31, coslobe_ball_sample_q31, "coslobe_ball_sample_q31")
+CALL(sample_around3_q31, coslobe_ball_sample_around_q31, "coslobe_ball_sample_around_q31")
 CALL(fill3_q31, coslobe_ball_fill_q31, "coslobe_ball_fill_q31")
+CALL(warp_direction3_q31, coslobe_ball_warp_direction_q31, "coslobe_ball_warp_direction_q31")
 CALL(self_test, coslobe_ball_self_test_q31, "coslobe_ball_self_test_q31")
 CALL(density_of_angle_q31, coslobe_ball_pdf_q31, "coslobe_ball_pdf_q31")
+CALL(density_of_angle_q31, coslobe_ball_pdf_solid_angle_q31, "coslobe_ball_pdf_solid_angle_q31")
 CALL(probability_of_angle_q31, coslobe_ball_cdf_q31, "coslobe_ball_cdf_q31")
 CALL(probability_of_angle_q31, coslobe_ball_sf_q31, "coslobe_ball_sf_q31")
 CALL(angle_of_probability_q31, coslobe_ball_quantile_q31, "coslobe_ball_quantile_q31")
@@ -496,9 +511,12 @@ CALL(probability_of_pair_q31, coslobe_ball_unwarp_q31, "coslobe_ball_unwarp_q31"
 CALL(probability_of_pair_q31, coslobe_ball_unwarp_sf_q31, "coslobe_ball_unwarp_sf_q31")
 CALL(density_of_pair_q31, coslobe_ball_density_q31, "coslobe_ball_density_q31")
 CALL(sample3_q31, coslobe_sphere_shell_sample_q31, "coslobe_sphere_shell_sample_q31")
+CALL(sample_around3_q31, coslobe_sphere_shell_sample_around_q31, "coslobe_sphere_shell_sample_around_q31")
 CALL(fill3_q31, coslobe_sphere_shell_fill_q31, "coslobe_sphere_shell_fill_q31")
+CALL(warp_direction3_q31, coslobe_sphere_shell_warp_direction_q31, "coslobe_sphere_shell_warp_direction_q31")
 CALL(self_test, coslobe_sphere_shell_self_test_q31, "coslobe_sphere_shell_self_test_q31")
 CALL(density_of_angle_q31, coslobe_sphere_shell_pdf_q31, "coslobe_sphere_shell_pdf_q31")
+CALL(density_of_angle_q31, coslobe_sphere_shell_pdf_solid_angle_q31, "coslobe_sphere_shell_pdf_solid_angle_q31")
 CALL(probability_of_angle_q31, coslobe_sphere_shell_cdf_q31, "coslobe_sphere_shell_cdf_q31")
 CALL(probability_of_angle_q31, coslobe_sphere_shell_sf_q31, "coslobe_sphere_shell_sf_q31")
 CALL(angle_of_probability_q31, coslobe_sphere_shell_quantile_q31, "coslobe_sphere_shell_quantile_q31")
@@ -509,9 +527,12 @@ CALL(probability_of_pair_q31, coslobe_sphere_shell_unwarp_q31, "coslobe_sphere_s
 CALL(probability_of_pair_q31, coslobe_sphere_shell_unwarp_sf_q31, "coslobe_sphere_shell_unwarp_sf_q31")
 CALL(density_of_pair_q31, coslobe_sphere_shell_density_q31, "coslobe_sphere_shell_density_q31")
 CALL(sample3_q31, coslobe_lambert_sample_q31, "coslobe_lambert_sample_q31")
+CALL(sample_around3_q31, coslobe_lambert_sample_around_q31, "coslobe_lambert_sample_around_q31")
 CALL(fill3_q31, coslobe_lambert_fill_q31, "coslobe_lambert_fill_q31")
+CALL(warp_direction3_q31, coslobe_lambert_warp_direction_q31, "coslobe_lambert_warp_direction_q31")
 CALL(self_test, coslobe_lambert_self_test_q31, "coslobe_lambert_self_test_q31")
 CALL(density_of_angle_q31, coslobe_lambert_pdf_q31, "coslobe_lambert_pdf_q31")
+CALL(density_of_angle_q31, coslobe_lambert_pdf_solid_angle_q31, "coslobe_lambert_pdf_solid_angle_q31")
 CALL(probability_of_angle_q31, coslobe_lambert_cdf_q31, "coslobe_lambert_cdf_q31")
 CALL(probability_of_angle_q31, coslobe_lambert_sf_q31, "coslobe_lambert_sf_q31")
 CALL(angle_of_probability_q31, coslobe_lambert_quantile_q31, "coslobe_lambert_quantile_q31")
@@ -522,9 +543,12 @@ CALL(probability_of_pair_q31, coslobe_lambert_unwarp_q31, "coslobe_lambert_unwar
 CALL(probability_of_pair_q31, coslobe_lambert_unwarp_sf_q31, "coslobe_lambert_unwarp_sf_q31")
 CALL(density_of_pair_q31, coslobe_lambert_density_q31, "coslobe_lambert_density_q31")
 CALL(sample3_q31, cos_power_sample_q31, "coslobe_cos_power_sample_q31")
+CALL(sample_around3_q31, cos_power_sample_around_q31, "coslobe_cos_power_sample_around_q31")
 CALL(fill3_q31, cos_power_fill_q31, "coslobe_cos_power_fill_q31")
+CALL(warp_direction3_q31, cos_power_warp_direction_q31, "coslobe_cos_power_warp_direction_q31")
 CALL(self_test, cos_power_self_test_q31, "coslobe_cos_power_self_test_q31")
 CALL(density_of_angle_q31, cos_power_pdf_q31, "coslobe_cos_power_pdf_q31")
+CALL(density_of_angle_q31, cos_power_pdf_solid_angle_q31, "coslobe_cos_power_pdf_solid_angle_q31")
 CALL(probability_of_angle_q31, cos_power_cdf_q31, "coslobe_cos_power_cdf_q31")
 CALL(probability_of_angle_q31, cos_power_sf_q31, "coslobe_cos_power_sf_q31")
 CALL(angle_of_probability_q31, cos_power_quantile_q31, "coslobe_cos_power_quantile_q31")
@@ -536,6 +560,7 @@ CALL(probability_of_pair_q31, cos_power_unwarp_sf_q31, "coslobe_cos_power_unwarp
 CALL(density_of_pair_q31, cos_power_density_q31, "coslobe_cos_power_density_q31")
 CALL(sample2_q15, coslobe_disk_sample_q15, "coslobe_disk_sample_q15")
 CALL(fill2_q15, coslobe_disk_fill_q15, "coslobe_disk_fill_q15")
+CALL(self_test, coslobe_disk_self_test_q15, "coslobe_disk_self_test_q15")
 CALL(density_of_angle_q15, coslobe_disk_pdf_q15, "coslobe_disk_pdf_q15")
 CALL(probability_of_angle_q15, coslobe_disk_cdf_q15, "coslobe_disk_cdf_q15")
 CALL(probability_of_angle_q15, coslobe_disk_sf_q15, "coslobe_disk_sf_q15")
@@ -548,6 +573,7 @@ CALL(probability_of_pair_q15, coslobe_disk_unwarp_sf_q15, "coslobe_disk_unwarp_s
 CALL(density_of_pair_q15, coslobe_disk_density_q15, "coslobe_disk_density_q15")
 CALL(sample2_q15, coslobe_circle_shell_sample_q15, "coslobe_circle_shell_sample_q15")
 CALL(fill2_q15, coslobe_circle_shell_fill_q15, "coslobe_circle_shell_fill_q15")
+CALL(self_test, coslobe_circle_shell_self_test_q15, "coslobe_circle_shell_self_test_q15")
 CALL(density_of_angle_q15, coslobe_circle_shell_pdf_q15, "coslobe_circle_shell_pdf_q15")
 CALL(probability_of_angle_q15, coslobe_circle_shell_cdf_q15, "coslobe_circle_shell_cdf_q15")
 CALL(probability_of_angle_q15, coslobe_circle_shell_sf_q15, "coslobe_circle_shell_sf_q15")
@@ -560,6 +586,7 @@ CALL(probability_of_pair_q15, coslobe_circle_shell_unwarp_sf_q15, "coslobe_circl
 CALL(density_of_pair_q15, coslobe_circle_shell_density_q15, "coslobe_circle_shell_density_q15")
 CALL(sample2_q15, coslobe_circle_arc_sample_q15, "coslobe_circle_arc_sample_q15")
 CALL(fill2_q15, coslobe_circle_arc_fill_q15, "coslobe_circle_arc_fill_q15")
+CALL(self_test, coslobe_circle_arc_self_test_q15, "coslobe_circle_arc_self_test_q15")
 CALL(density_of_angle_q15, coslobe_circle_arc_pdf_q15, "coslobe_circle_arc_pdf_q15")
 CALL(probability_of_angle_q15, coslobe_circle_arc_cdf_q15, "coslobe_circle_arc_cdf_q15")
 CALL(probability_of_angle_q15, coslobe_circle_arc_sf_q15, "coslobe_circle_arc_sf_q15")
@@ -571,8 +598,12 @@ CALL(probability_of_pair_q15, coslobe_circle_arc_unwarp_q15, "coslobe_circle_arc
 CALL(probability_of_pair_q15, coslobe_circle_arc_unwarp_sf_q15, "coslobe_circle_arc_unwarp_sf_q15")
 CALL(density_of_pair_q15, coslobe_circle_arc_density_q15, "coslobe_circle_arc_density_q15")
 CALL(sample3_q15, coslobe_ball_sample_q15, "coslobe_ball_sample_q15")
+CALL(sample_around3_q15, coslobe_ball_sample_around_q15, "coslobe_ball_sample_around_q15")
 CALL(fill3_q15, coslobe_ball_fill_q15, "coslobe_ball_fill_q15")
+CALL(warp_direction3_q15, coslobe_ball_warp_direction_q15, "coslobe_ball_warp_direction_q15")
+CALL(self_test, coslobe_ball_self_test_q15, "coslobe_ball_self_test_q15")
 CALL(density_of_angle_q15, coslobe_ball_pdf_q15, "coslobe_ball_pdf_q15")
+CALL(density_of_angle_q15, coslobe_ball_pdf_solid_angle_q15, "coslobe_ball_pdf_solid_angle_q15")
 CALL(probability_of_angle_q15, coslobe_ball_cdf_q15, "coslobe_ball_cdf_q15")
 CALL(probability_of_angle_q15, coslobe_ball_sf_q15, "coslobe_ball_sf_q15")
 CALL(angle_of_probability_q15, coslobe_ball_quantile_q15, "coslobe_ball_quantile_q15")
@@ -583,8 +614,12 @@ CALL(probability_of_pair_q15, coslobe_ball_unwarp_q15, "coslobe_ball_unwarp_q15"
 CALL(probability_of_pair_q15, coslobe_ball_unwarp_sf_q15, "coslobe_ball_unwarp_sf_q15")
 CALL(density_of_pair_q15, coslobe_ball_density_q15, "coslobe_ball_density_q15")
 CALL(sample3_q15, coslobe_sphere_shell_sample_q15, "coslobe_sphere_shell_sample_q15")
+CALL(sample_around3_q15, coslobe_sphere_shell_sample_around_q15, "coslobe_sphere_shell_sample_around_q15")
 CALL(fill3_q15, coslobe_sphere_shell_fill_q15, "coslobe_sphere_shell_fill_q15")
+CALL(warp_direction3_q15, coslobe_sphere_shell_warp_direction_q15, "coslobe_sphere_shell_warp_direction_q15")
+CALL(self_test, coslobe_sphere_shell_self_test_q15, "coslobe_sphere_shell_self_test_q15")
 CALL(density_of_angle_q15, coslobe_sphere_shell_pdf_q15, "coslobe_sphere_shell_pdf_q15")
+CALL(density_of_angle_q15, coslobe_sphere_shell_pdf_solid_angle_q15, "coslobe_sphere_shell_pdf_solid_angle_q15")
 CALL(probability_of_angle_q15, coslobe_sphere_shell_cdf_q15, "coslobe_sphere_shell_cdf_q15")
 CALL(probability_of_angle_q15, coslobe_sphere_shell_sf_q15, "coslobe_sphere_shell_sf_q15")
 CALL(angle_of_probability_q15, coslobe_sphere_shell_quantile_q15, "coslobe_sphere_shell_quantile_q15")
@@ -595,8 +630,12 @@ CALL(probability_of_pair_q15, coslobe_sphere_shell_unwarp_q15, "coslobe_sphere_s
 CALL(probability_of_pair_q15, coslobe_sphere_shell_unwarp_sf_q15, "coslobe_sphere_shell_unwarp_sf_q15")
 CALL(density_of_pair_q15, coslobe_sphere_shell_density_q15, "coslobe_sphere_shell_density_q15")
 CALL(sample3_q15, coslobe_lambert_sample_q15, "coslobe_lambert_sample_q15")
+CALL(sample_around3_q15, coslobe_lambert_sample_around_q15, "coslobe_lambert_sample_around_q15")
 CALL(fill3_q15, coslobe_lambert_fill_q15, "coslobe_lambert_fill_q15")
+CALL(warp_direction3_q15, coslobe_lambert_warp_direction_q15, "coslobe_lambert_warp_direction_q15")
+CALL(self_test, coslobe_lambert_self_test_q15, "coslobe_lambert_self_test_q15")
 CALL(density_of_angle_q15, coslobe_lambert_pdf_q15, "coslobe_lambert_pdf_q15")
+CALL(density_of_angle_q15, coslobe_lambert_pdf_solid_angle_q15, "coslobe_lambert_pdf_solid_angle_q15")
 CALL(probability_of_angle_q15, coslobe_lambert_cdf_q15, "coslobe_lambert_cdf_q15")
 CALL(probability_of_angle_q15, coslobe_lambert_sf_q15, "coslobe_lambert_sf_q15")
 CALL(angle_of_probability_q15, coslobe_lambert_quantile_q15, "coslobe_lambert_quantile_q15")

@@ -185,25 +185,35 @@ ALL_DRAWS(f32, float, bits_f32)
 ALL_DRAWS(q31, int32_t, bits_q31)
 ALL_DRAWS(q15, int16_t, bits_q15)
 static const float NORMAL_F32[3] = {0.6f, 0.0f, -0.8f};
-DRAWS(sample_around3_f32, float, bits_f32, 3, (const float *, const coslobe_rng *, float *),
-      (NORMAL_F32, rng, out))
+static const int32_t NORMAL_Q31[3] = {0x4ccccccd, 0, -0x66666666};
+static const int16_t NORMAL_Q15[3] = {0x4ccd, 0, -0x6666};
+#define AROUND(base, type, bits, normal) \
+    DRAWS(sample_around3_##base, type, bits, 3, (const type *, const coslobe_rng *, type *), \
+          (normal, rng, out))
+AROUND(f32, float, bits_f32, NORMAL_F32)
+AROUND(q31, int32_t, bits_q31, NORMAL_Q31)
+AROUND(q15, int16_t, bits_q15, NORMAL_Q15)
 DRAWS(point2_f32, float, bits_f32, 2, (float, const coslobe_rng *, float *), (2.5f, rng, out))
 DRAWS(point3_f32, float, bits_f32, 3, (float, const coslobe_rng *, float *), (2.5f, rng, out))
 
-static void run_warp_direction3_f32(const char *name, int (*f)(float, float, float *))
-{
-    size_t i, j;
-    for (i = 0; i < COUNT; i++)
-        for (j = 0; j < COUNT; j++) {
-            float out[3];
-            eat((uint32_t)f(input_f32(i), input_f32(j), out));
-            eat(bits_f32(out[0]));
-            eat(bits_f32(out[1]));
-            eat(bits_f32(out[2]));
-        }
-    eat((uint32_t)f(0, 0, NULL));
-    done(name);
-}
+#define WARP_DIRECTION(base, type, bits, argument, input) \
+    static void run_warp_direction3_##base(const char *name, int (*f)(argument, argument, type *)) \
+    { \
+        size_t i, j; \
+        for (i = 0; i < COUNT; i++) \
+            for (j = 0; j < COUNT; j++) { \
+                type out[3]; \
+                eat((uint32_t)f(input(i), input(j), out)); \
+                eat(bits(out[0])); \
+                eat(bits(out[1])); \
+                eat(bits(out[2])); \
+            } \
+        eat((uint32_t)f(0, 0, NULL)); \
+        done(name); \
+    }
+WARP_DIRECTION(f32, float, bits_f32, float, input_f32)
+WARP_DIRECTION(q31, int32_t, bits_q31, uint32_t, input_u32)
+WARP_DIRECTION(q15, int16_t, bits_q15, uint16_t, input_u16)
 
 static int stuck(void *context, uint32_t *word)
 {

@@ -6,7 +6,7 @@ use coslobe::{CosSin, Planar, Spatial};
 use kit::catalogue::{every_law, every_number};
 use kit::{Drawn, Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 
-/// The promise: a unit vector to 2 ulp of 1 (`Fast`: to 2⁻¹²).
+/// The promise: a unit vector to 2 ulp of 1 (or what stands for it).
 const UNIT_ULP: f64 = 2.0;
 
 /// Words of a direction in space.

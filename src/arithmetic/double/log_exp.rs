@@ -23,7 +23,7 @@ pub(crate) fn ln(x: Double) -> Double {
         return Double::exact(libm::log(x.hi));
     }
     let (m, e) = x.hi.split(f64::ROOT_HALF);
-    let part = ln_near_one(Double::two_sum(m - 1.0, x.lo.scale(-e)));
+    let part = ln_near_one(Double::two_sum(m - 1.0, x.lo.scale(e.wrapping_neg())));
     if e == 0 {
         part
     } else {

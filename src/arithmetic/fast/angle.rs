@@ -1,7 +1,7 @@
 //! Angles to (cos, sin) and back.
 
 use super::coefficients::{ATAN, COS, EIGHTH_COS, EIGHTH_SIN, HALF_TURN, SIN};
-use super::fixed::horner;
+use super::fixed::{at_most_one, horner};
 use super::root::unusual;
 use core::f32::consts::{FRAC_PI_2, PI};
 
@@ -37,7 +37,8 @@ pub(crate) fn eighth_turn(x: f32) -> (f32, f32) {
 #[inline]
 pub(crate) fn half_turn(p: f32) -> (f32, f32) {
     let d = 0.5 - p;
-    (p * horner(p * p, &HALF_TURN), d * horner(d * d, &HALF_TURN))
+    let component = |x: f32| at_most_one(x * horner(x * x, &HALF_TURN));
+    (component(p), component(d))
 }
 
 #[cold]

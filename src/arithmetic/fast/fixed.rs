@@ -39,12 +39,18 @@ pub(crate) fn q16(x: f32) -> i32 {
     (significand >> 134u32.wrapping_sub(bits >> 23).min(31)) as i32
 }
 
+/// x, or 1 where an error has put x beyond it; NaN as it is.
+#[inline(always)]
+pub(crate) const fn at_most_one(x: f32) -> f32 {
+    const ONE: u32 = 1.0f32.to_bits();
+    let bits = x.to_bits();
+    let beyond = bits.wrapping_sub(ONE) <= f32::INFINITY.to_bits() - ONE;
+    f32::from_bits(if beyond { ONE } else { bits })
+}
+
 /// Σ cᵢ xⁱ in floats.
 #[inline(always)]
 pub(crate) fn horner<const N: usize>(x: f32, c: &[f32; N]) -> f32 {
-    let mut sum = 0.0;
-    for (i, &k) in c.iter().rev().enumerate() {
-        sum = if i == 0 { k } else { sum * x + k };
-    }
-    sum
+    let sum = c.iter().rev().copied().reduce(|sum, k| sum * x + k);
+    sum.unwrap_or(0.0)
 }

@@ -8,7 +8,7 @@ use super::angle::from_end;
 use super::coefficients::{
     KEPLER_ANGLE, KEPLER_COS, KEPLER_MIDDLE, KEPLER_SIN, TAIL_OF_ANGLE, TAIL_OF_SINE,
 };
-use super::fixed::{horner, leading_30, leading_31, q16};
+use super::fixed::{at_most_one, horner, leading_30, leading_31, q16};
 use super::root::cbrt;
 use core::f32::consts::PI;
 
@@ -34,7 +34,7 @@ pub(crate) fn direction_at_tail(p: f32) -> (f32, f32) {
     let square = ((x as u32).wrapping_mul(x as u32) >> 16) as i32;
     let cos = z * leading_31(KEPLER_COS.at(square), 0);
     let sin = (0.5 - p) * leading_30(KEPLER_SIN.at(x.wrapping_sub(KEPLER_MIDDLE)), 1);
-    (cos, sin)
+    (at_most_one(cos), at_most_one(sin))
 }
 
 /// |θ| at the nearer tail p ≤ ½; may exceed π/2 by the error.

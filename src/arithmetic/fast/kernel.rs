@@ -2,6 +2,7 @@
 
 use super::Fast;
 use crate::arithmetic::constants::Constants;
+use crate::arithmetic::fast::fixed::at_most_one;
 use crate::arithmetic::fast::{angle, kepler, power, root};
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::logarithmic::{self, Logarithmic};
@@ -37,8 +38,9 @@ fn at_angle_fine(theta: Fast<f32>) -> CosSin<Fast<f32>> {
 /// c·eᵃ where eᵃ alone would leave the range of the format.
 #[cold]
 fn far_exp_times(a: f32, c: Fast<f32>) -> Fast<f32> {
-    let half = Fast(power::exp(a * 0.5));
-    (c * half) * half
+    // In quarters: half of −191, which with the largest c still gives a number, is beyond exp.
+    let quarter = Fast(power::exp(a * 0.25));
+    c * quarter * quarter * quarter * quarter
 }
 
 const fn constant(pair: Pair<f32>) -> Fast<f32> {
@@ -78,11 +80,6 @@ impl Kernel for Fast<f32> {
         } else {
             Scalar::sqrt(f(a))
         }
-    }
-    #[inline(always)]
-    fn fourth_root(self) -> (Self, Self) {
-        let root = Fast(root::fourth_root(self.0));
-        (root, root * root)
     }
     #[inline(always)]
     fn cbrt(self) -> Self {
@@ -199,7 +196,7 @@ impl Kernel for Fast<f32> {
             Scalar::sqrt(Self::one_minus_exp(a + a))
         };
         CosSin {
-            cos: Self::exp_times(a, Self::ONE),
+            cos: Fast(at_most_one(Self::exp_times(a, Self::ONE).0)),
             sin,
         }
     }

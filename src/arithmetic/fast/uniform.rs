@@ -12,7 +12,10 @@ use crate::arithmetic::native::turn::merge_if_odd;
 pub(crate) fn tail(bits: u32) -> (f32, bool) {
     let odd = ((bits << 1) | 1) as f32;
     // Scaled in the exponent: at least 1, so it stays normal.
-    (f32::from_bits(odd.to_bits() - (33 << 23)), bits >> 31 != 0)
+    (
+        f32::from_bits(odd.to_bits().wrapping_sub(33 << 23)),
+        bits >> 31 != 0,
+    )
 }
 
 /// (cos, sin) of the azimuth (bits + ½)·2⁻³² turns.
@@ -21,9 +24,9 @@ pub(crate) fn turn(bits: u32) -> (f32, f32) {
     let quadrant = bits.wrapping_add(1 << 29) >> 30;
     let rest = bits.wrapping_sub(quadrant << 30) as i32; // ±2²⁹, of 2³² to the turn
     let y = rest >> 14; // eighths of a turn, Q15
-    let v = (y * y) >> 14;
+    let v = y.wrapping_mul(y) >> 14;
     let cos = leading_30(TURN_COS.at(v), 0).to_bits();
-    let sin = ((2 * rest + 1) as f32 * leading_31(TURN_SIN.at(v), -31)).to_bits();
+    let sin = ((rest << 1 | 1) as f32 * leading_31(TURN_SIN.at(v), -31)).to_bits();
     let (cos, sin) = merge_if_odd(quadrant, cos, sin);
     let cos_sign = (quadrant.wrapping_add(1) << 30) & (1 << 31);
     let sin_sign = (quadrant << 30) & (1 << 31);

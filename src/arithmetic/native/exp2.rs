@@ -36,7 +36,7 @@ pub struct Scale<T> {
 impl<T: Native> Scale<T> {
     pub(crate) fn new(x: Pair<T>) -> Self {
         let (m, e) = x.hi.split(T::ONE);
-        let lo = x.lo.scale(-e);
+        let lo = x.lo.scale(e.wrapping_neg());
         Scale {
             significand: Pair { hi: m, lo },
             exponent: e,

@@ -109,6 +109,7 @@ impl Float for f32 {
     const LIFT_BELOW: f32 = power_of_two(-60);
     const LIFT: f32 = power_of_two(64);
     const DROP: f32 = power_of_two(-64);
+    const ROOT_DROP: f32 = power_of_two(-32);
     const LIFT_EXPONENT: i32 = 64;
     const EXACT_CUBE: bool = false;
 

@@ -100,6 +100,7 @@ impl Float for f64 {
     const LIFT_BELOW: f64 = power_of_two(-500);
     const LIFT: f64 = power_of_two(512);
     const DROP: f64 = power_of_two(-512);
+    const ROOT_DROP: f64 = power_of_two(-256);
     const LIFT_EXPONENT: i32 = 512;
     const EXACT_CUBE: bool = true;
 

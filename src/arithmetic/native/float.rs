@@ -42,6 +42,8 @@ pub trait Float: Scalar {
     const LIFT_BELOW: Self;
     const LIFT: Self;
     const DROP: Self;
+    /// √`DROP`.
+    const ROOT_DROP: Self;
     const LIFT_EXPONENT: i32;
     /// The cube of a logarithm's argument counts beyond the format.
     const EXACT_CUBE: bool;

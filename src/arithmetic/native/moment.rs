@@ -1,31 +1,58 @@
 //! ∫₀^{π/2} cosⁿθ dθ and ∫₀^{π/2} θ cosⁿθ dθ for real n ≥ 1.
+//!
+//! Method: asymptotic series at n + 2m ≥ 32, then down by the recurrences, all in pairs: the variance of θ
+//! is a difference in which three bits of them cancel.
 
+use super::format::Native;
 use super::pair::Pair;
 use super::poly::horner;
-use crate::arithmetic::native::format::Native;
 
-/// (∫ cosⁿθ, ∫ θ cosⁿθ): asymptotic series at n + 2m ≥ 32, then down by the recurrences.
-pub(crate) fn cosine_integrals<T: Native>(n: T) -> (T, T) {
-    let steps = if n < T::int(32) {
-        ((T::int(33) - n).to_u32() / 2).wrapping_add(1)
+/// √x.
+fn root<T: Native>(x: Pair<T>) -> Pair<T> {
+    let root = x.hi.sqrt();
+    let square = Pair::two_prod(root, root);
+    let rest = ((x.hi - square.hi) - square.lo) + x.lo;
+    Pair::fast_two_sum(root, rest / (root + root))
+}
+
+/// √(π/2t) (1 + a₁/m² + …), t = n + ½, m = t/2.
+fn plain<T: Native>(n: Pair<T>) -> Pair<T> {
+    let t = n.add(Pair::exact(T::HALF));
+    let m = t.hi * T::HALF;
+    let square = T::ONE / m / m;
+    let [first, rest @ ..] = T::TABLE.cosine_integral else {
+        return n; // the series has terms
+    };
+    let shape = Pair::fast_two_sum(*first, square * horner(square, rest));
+    root(T::CONSTANTS.half_pi.div(t)).mul(shape)
+}
+
+/// Σ bⱼ/nʲ.
+fn weighted<T: Native>(n: Pair<T>) -> Pair<T> {
+    let recip = Pair::exact(T::ONE).div(n);
+    let [_, _, rest @ ..] = T::TABLE.angle_integral else {
+        return n; // the series has terms
+    };
+    let bend = Pair::ratio(-2, 3).mul(recip);
+    let tail = recip.hi * recip.hi * horner(recip.hi, rest);
+    recip.mul(Pair::exact(T::ONE).add(bend).add(Pair::exact(tail)))
+}
+
+/// (∫ cosⁿθ, ∫ θ cosⁿθ).
+pub(crate) fn cosine_integrals<T: Native>(n: Pair<T>) -> (Pair<T>, Pair<T>) {
+    let steps = if n.hi < T::int(32) {
+        ((T::int(33) - n.hi).to_u32() / 2).wrapping_add(1)
     } else {
         0
     };
-    let mut top = n + T::int((steps as i16).wrapping_mul(2));
-    // √(π/2t) (1 + a₁/m² + …), t = n + ½, m = t/2.
-    let m = (top + T::HALF) * T::HALF;
-    let shape = horner(T::ONE / m / m, T::TABLE.cosine_integral);
-    let plain = (T::CONSTANTS.half_pi.hi / (top + T::HALF)).sqrt() * shape;
-    // Σ bⱼ/nʲ.
-    let recip = T::ONE / top;
-    let weighted = recip * horner(recip, T::TABLE.angle_integral);
-    let (mut plain, mut weighted) = (Pair::exact(plain), Pair::exact(weighted));
+    let mut top = n.add(Pair::exact(T::int((steps as i16).wrapping_mul(2))));
+    let (mut plain, mut weighted) = (plain(top), weighted(top));
     for _ in 0..steps {
-        let ratio = Pair::exact(top).div(Pair::two_sum(top, -T::ONE));
-        let square = Pair::exact(T::ONE).div(Pair::two_prod(top, top));
+        let ratio = top.div(top.add(Pair::exact(-T::ONE)));
+        let square = Pair::exact(T::ONE).div(top.mul(top));
         plain = plain.mul(ratio);
         weighted = weighted.add(square).mul(ratio);
-        top = top - T::int(2);
+        top = top.add(Pair::exact(T::int(-2)));
     }
-    (plain.value(), weighted.value())
+    (plain, weighted)
 }

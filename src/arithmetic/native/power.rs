@@ -60,7 +60,11 @@ fn log_cosine<T: Native>(at: Cosine<T>) -> Log<T> {
     let near = T::select(turned, T::ONE - two * square.hi, -square.hi);
     let near_lo = -T::select(turned, two, T::ONE) * square_lo;
     let (m, e) = small.hi.split(T::TABLE.log_parts[0].from);
-    let e = if far { e } else { -i32::from(turned) };
+    let e = if far {
+        e
+    } else {
+        i32::from(turned).wrapping_neg()
+    };
     let f = T::select(far, m - T::ONE, near);
     let low = T::select(
         far,
@@ -128,7 +132,7 @@ pub(crate) fn power_tails<T: Native>(n: Pair<T>, at: Cosine<T>) -> (T, T) {
 #[inline]
 pub(crate) fn ln<T: Native>(x: Pair<T>) -> Pair<T> {
     let (m, e) = x.hi.split(T::TABLE.log_parts[0].from);
-    log2(e, m - T::ONE, x.lo.scale(-e)).mul(T::CONSTANTS.ln_2)
+    log2(e, m - T::ONE, x.lo.scale(e.wrapping_neg())).mul(T::CONSTANTS.ln_2)
 }
 
 /// k·ln cos θ + ln sin θ + c, −∞ where cos θ or sin θ is 0. Summed in pairs, since its terms

@@ -36,8 +36,8 @@ impl<T: Native> TailRoot<T> {
             head,
             rest: (share.hi - head) + share.lo,
             slope: share.div(T::CONSTANTS.ln_2),
-            up: two / m * T::exp2(60 - (e & 1)),
-            down: T::exp2(-30 - (e >> 1)),
+            up: two / m * T::exp2(60i32.wrapping_sub(e & 1)),
+            down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
     }
 

@@ -80,13 +80,14 @@ fn sine<T: Native>(x: Pair<T>) -> Pair<T> {
         hi: tail,
         lo: T::ZERO,
     };
-    for (i, &c) in T::TABLE.sine_head.iter().rev().enumerate() {
-        let rest = if i == 0 { sum } else { sum.mul_raw(v) };
+    let mut rest = sum;
+    for &c in T::TABLE.sine_head.iter().rev() {
         let first = Pair::fast_two_sum(c.hi, rest.hi);
         sum = Pair {
             hi: first.hi,
             lo: first.lo + (c.lo + rest.lo),
         };
+        rest = sum.mul_raw(v);
     }
     let bend = x.mul_raw(v).mul_raw(sum);
     let first = Pair::fast_two_sum(x.hi, bend.hi);

@@ -77,7 +77,7 @@ impl Kernel for Scaled {
         true
     }
     fn ln(self) -> Self {
-        if self.exponent.abs() <= DIGITS {
+        if self.exponent.wrapping_abs() <= DIGITS {
             return Self::from_double(log_exp::ln(self.double()));
         }
         let e = Double::exact(f64::from(self.exponent));
@@ -93,14 +93,14 @@ impl Kernel for Scaled {
         }
     }
     fn atan2(self, x: Self) -> Self {
-        let apart = self.exponent - x.exponent;
+        let apart = self.exponent.wrapping_sub(x.exponent);
         if !(self.is_ordinary() && x.is_ordinary()) {
             // The sizes do not count beside 0 and ∞.
             Self::from_double(angle::atan2(self.part, x.part))
-        } else if apart.abs() > DIGITS {
+        } else if apart.wrapping_abs() > DIGITS {
             atan2_far_apart(self, x)
         } else {
-            let [y, x] = [self, x].map(|c| c.times_power(-x.exponent).double());
+            let [y, x] = [self, x].map(|c| c.times_power(x.exponent.wrapping_neg()).double());
             Self::from_double(angle::atan2(y, x))
         }
     }

@@ -65,6 +65,17 @@ impl Id {
         Id::ALL.into_iter().find(|id| id.name() == name)
     }
 
+    /// The law as [`Display`](fmt::Display) writes it.
+    pub fn parse(written: &str) -> Option<Id> {
+        let power = written
+            .strip_prefix("CosPower(")
+            .and_then(|k| k.strip_suffix(')'));
+        match power {
+            Some(k) => k.parse().ok().map(Id::CosPower),
+            None => Id::FIXED.into_iter().find(|id| id.name() == written),
+        }
+    }
+
     /// Whether it is a law of the plane.
     pub const fn planar(self) -> bool {
         matches!(self, Id::Disk | Id::CircleShell | Id::CircleArc)
@@ -213,8 +224,8 @@ pub fn moments<T: Number>(id: Id) -> Option<Moments<T>> {
 
 /// A law in integers of both formats.
 pub trait IntegerLaw:
-    FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default>
-    + Fixed16Law<Direction: AsRef<[I1F15]> + Default>
+    FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
+    + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
     + Named
     + Default
     + Copy
@@ -223,8 +234,8 @@ pub trait IntegerLaw:
 }
 
 impl<L> IntegerLaw for L where
-    L: FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default>
-        + Fixed16Law<Direction: AsRef<[I1F15]> + Default>
+    L: FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
+        + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
         + Named
         + Default
         + Copy

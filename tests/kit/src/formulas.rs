@@ -2,6 +2,7 @@
 //!
 //! Boards count what they cost, the host measures their errors.
 
+use crate::Id;
 use core::f32::consts::{FRAC_1_PI, FRAC_2_PI, PI, TAU};
 
 /// Exponent of the power law.
@@ -84,6 +85,17 @@ pub enum Space {
 }
 
 impl Space {
+    /// The law of this name, if it is one of space.
+    pub const fn of(id: Id) -> Option<Space> {
+        match id {
+            Id::Lambert => Some(Space::Lambert),
+            Id::SphereShell => Some(Space::SphereShell),
+            Id::Ball => Some(Space::Ball),
+            Id::CosPower(_) => Some(Space::CosPower),
+            _ => None,
+        }
+    }
+
     fn exponent(self) -> f32 {
         match self {
             Space::Lambert => 1.0,
@@ -156,6 +168,16 @@ pub enum Plane {
 }
 
 impl Plane {
+    /// The law of this name, if it is one of the plane.
+    pub const fn of(id: Id) -> Option<Plane> {
+        match id {
+            Id::Disk => Some(Plane::Disk),
+            Id::CircleShell => Some(Plane::CircleShell),
+            Id::CircleArc => Some(Plane::CircleArc),
+            _ => None,
+        }
+    }
+
     /// [sin θ, cos θ]; only the disk's takes a second uniform number.
     #[inline(always)]
     pub fn direction<M: Maths>(self, u: f32, v: impl FnOnce() -> f32) -> [f32; 2] {

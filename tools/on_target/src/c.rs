@@ -177,7 +177,7 @@ fn header_alone(compiler: &str, language: &str, standard: &str) -> Result<()> {
 }
 
 /// Makes `goal` as the page says; where library and header are then.
-fn make(goal: &str, target: &str, rust_flags: &str) -> Result<PathBuf> {
+fn make(goal: &str, target: &str, rust_flags: &str, level: Option<&str>) -> Result<PathBuf> {
     let name = if rust_flags.is_empty() {
         "c"
     } else {
@@ -196,13 +196,16 @@ fn make(goal: &str, target: &str, rust_flags: &str) -> Result<PathBuf> {
         ))
         .env_remove("CARGO_MANIFEST_DIR")
         .env("RUSTFLAGS", rust_flags);
+    if let Some(level) = level {
+        command.env("CARGO_PROFILE_EMBEDDED_OPT_LEVEL", level);
+    }
     finish(&mut command, "make")?;
     Ok(build.join(target))
 }
 
 /// The program here, from a library built with `rust_flags`.
 fn on_host(rust_flags: &str, flags: &[&str]) -> Result<()> {
-    let built = make("host", &host_target()?, rust_flags)?;
+    let built = make("host", &host_target()?, rust_flags, None)?;
     let program = built.join("c_program");
     let mut command = compile("cc", "platform_host.c", &built, &program);
     command.args(flags).arg(built.join(LIBRARY));
@@ -213,7 +216,7 @@ fn on_host(rust_flags: &str, flags: &[&str]) -> Result<()> {
 
 /// `make install`, and the example of the page with what that installed.
 fn installed() -> Result<()> {
-    let built = make("host", &host_target()?, "")?;
+    let built = make("host", &host_target()?, "", None)?;
     let prefix = built.join("prefix");
     let mut install = Command::new("make");
     install
@@ -258,7 +261,7 @@ fn parent(path: &Path) -> Result<&Path> {
 }
 
 fn on_board(board: &Board, compiler: &Compiler) -> Result<()> {
-    let built = make(compiler.goal, compiler.target, "")?;
+    let built = make(compiler.goal, compiler.target, "", board.opt_level)?;
     let image = built.join("c_program");
     let mut command = compile(compiler.command, compiler.platform, &built, &image);
     command

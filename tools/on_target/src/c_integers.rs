@@ -12,17 +12,61 @@ pub(crate) fn expected(lines: &mut Lines) {
     q31(lines, "disk", Fixed(Disk), U0F32::to_bits);
     q31(lines, "circle_shell", Fixed(CircleShell), U0F32::to_bits);
     q31(lines, "circle_arc", Fixed(CircleArc), U0F32::to_bits);
-    q31(lines, "ball", Fixed(Ball), U0F32::to_bits);
-    q31(lines, "sphere_shell", Fixed(SphereShell), U0F32::to_bits);
-    q31(lines, "lambert", Fixed(Lambert), U0F32::to_bits);
+    q31_in_space(lines, "ball", Fixed(Ball), U0F32::to_bits);
+    q31_in_space(lines, "sphere_shell", Fixed(SphereShell), U0F32::to_bits);
+    q31_in_space(lines, "lambert", Fixed(Lambert), U0F32::to_bits);
     let lobe = Fixed(CosPower::new(U16F16::from_bits(0x74ccd)));
-    q31(lines, "cos_power", lobe, U16F16::to_bits);
+    q31_in_space(lines, "cos_power", lobe, U16F16::to_bits);
     q15(lines, "disk", Fixed16(Disk));
     q15(lines, "circle_shell", Fixed16(CircleShell));
     q15(lines, "circle_arc", Fixed16(CircleArc));
-    q15(lines, "ball", Fixed16(Ball));
-    q15(lines, "sphere_shell", Fixed16(SphereShell));
-    q15(lines, "lambert", Fixed16(Lambert));
+    q15_in_space(lines, "ball", Fixed16(Ball));
+    q15_in_space(lines, "sphere_shell", Fixed16(SphereShell));
+    q15_in_space(lines, "lambert", Fixed16(Lambert));
+}
+
+fn q31_in_space<L: FixedLaw<Direction = [I1F31; 3]> + Copy>(
+    lines: &mut Lines,
+    law: &str,
+    l: Fixed<L>,
+    density: fn(L::Density) -> u32,
+) where
+    InFixed<Fixed<L>>: Subject,
+{
+    q31(lines, law, l, density);
+    let bits = |d: [I1F31; 3]| d.map(|x| x.to_bits().cast_unsigned()).to_vec();
+    let angle = |x: u32| I0F32::from_bits(x.cast_signed());
+    lines.add(
+        law,
+        "pdf_solid_angle",
+        "q31",
+        INPUTS.map(|x| density(l.pdf_solid_angle(angle(x)))),
+    );
+    let warped = pairs().map(|u| bits(l.warp_direction(u.map(U0F32::from_bits))));
+    lines.directions(law, "q31", warped);
+    let normal = [0x4ccc_cccd, 0, -0x6666_6666].map(I1F31::from_bits);
+    let around = sixteen(|rng| bits(l.sample_around(normal, rng)));
+    lines.draws(law, "sample_around", "q31", around);
+}
+
+fn q15_in_space<L: Fixed16Law<Direction = [I1F15; 3]> + Copy>(
+    lines: &mut Lines,
+    law: &str,
+    l: Fixed16<L>,
+) where
+    InFixed<Fixed16<L>>: Subject,
+{
+    q15(lines, law, l);
+    let bits = |d: [I1F15; 3]| d.map(|x| x.to_bits().cast_unsigned().into()).to_vec();
+    let angle = |x: u32| I0F16::from_bits(((x >> 16) as u16).cast_signed());
+    let solid = INPUTS.map(|x| l.pdf_solid_angle(angle(x)).to_bits().into());
+    lines.add(law, "pdf_solid_angle", "q15", solid);
+    let high = |x: u32| U0F16::from_bits((x >> 16) as u16);
+    let warped = pairs().map(|u| bits(l.warp_direction(u.map(high))));
+    lines.directions(law, "q15", warped);
+    let normal = [0x4ccd, 0, -0x6666].map(I1F15::from_bits);
+    let around = sixteen(|rng| bits(l.sample_around(normal, rng)));
+    lines.draws(law, "sample_around", "q15", around);
 }
 
 fn q31<L: FixedLaw + Copy>(
@@ -80,8 +124,9 @@ fn q31<L: FixedLaw + Copy>(
     lines.self_test(law, "q31", self_test::fixed(l));
 }
 
-fn q15<L: Fixed16Law>(lines: &mut Lines, law: &str, l: Fixed16<L>)
+fn q15<L: Fixed16Law + Copy>(lines: &mut Lines, law: &str, l: Fixed16<L>)
 where
+    InFixed<Fixed16<L>>: Subject,
     L::Direction: IntoIterator<Item = I1F15>,
 {
     // C's test sees a component by its 16 bits.
@@ -126,6 +171,7 @@ where
     let draw = |rng: &mut Pcg32| l.sample(rng).into_iter().map(component).collect();
     lines.draws(law, "sample", "q15", sixteen(draw));
     lines.draws(law, "fill", "q15", filled(draw));
+    lines.self_test(law, "q15", self_test::fixed(l));
 }
 
 fn pairs() -> impl Iterator<Item = [u32; 2]> {

@@ -1,7 +1,7 @@
 //! What the C program has to print: a hash of the same calls, made in Rust, for each function.
 
 use crate::c_integers;
-use coslobe::self_test::{self, Alarm, Check, Fault, Subject};
+use coslobe::self_test::{self, Alarm, Fault, Subject, Test};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, PlanarPoint,
     Radius, Real, Spatial, SpatialPoint, SphereShell,
@@ -90,12 +90,24 @@ impl Lines {
         self.add(law, op, number, drawn.chain(refused).chain(nothing));
     }
 
+    /// The line of `warp_direction`: each with its status, then a null pointer.
+    pub(crate) fn directions(
+        &mut self,
+        law: &str,
+        number: &str,
+        warped: impl Iterator<Item = Vec<u32>>,
+    ) {
+        let words = warped.flat_map(|words| [vec![0], words].concat());
+        let null = NULL_POINTER.cast_unsigned();
+        self.add(law, "warp_direction", number, words.chain([null]));
+    }
+
     /// A self-test's line: a good generator, one that fails, one that is stuck, none.
     pub(crate) fn self_test<S: Subject + Clone>(
         &mut self,
         law: &str,
         number: &str,
-        mut check: Check<S>,
+        mut check: Test<S>,
     ) {
         let mut stuck = check.clone();
         check.run(&mut rng(), self_test::SAMPLES);
@@ -271,8 +283,6 @@ fn spatial<T: Float, L: Spatial<T> + Clone>(lines: &mut Lines, law: &str, number
     let around = sixteen(|rng| bits(l.sample_around(normal, rng)));
     lines.draws(law, "sample_around", number, around);
     let square = inputs().flat_map(|p: T| inputs().map(move |turn| [p, turn]));
-    let directions = square.flat_map(|u| [vec![0], bits(l.warp_direction(u))].concat());
-    let null = NULL_POINTER.cast_unsigned();
-    lines.add(law, "warp_direction", number, directions.chain([null]));
+    lines.directions(law, number, square.map(|u| bits(l.warp_direction(u))));
     lines.self_test(law, number, self_test::spatial::<T, _>(l.clone()));
 }

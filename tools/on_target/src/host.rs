@@ -2,8 +2,10 @@
 
 use crate::failure::{Failure, Result, While};
 use crate::types::{FIXED, FIXED16};
-use coslobe::{Fast, Precise};
-use kit::{Answer, Integers, Integers16, Laws, Subject, Visitor, answer, directions};
+use kit::catalogue::every_number;
+use kit::{
+    Answer, Integers, Integers16, Laws, Number, NumberVisitor, Subject, Visitor, answer, directions,
+};
 
 /// Something that can be done in a number type.
 pub(crate) trait InType {
@@ -14,14 +16,33 @@ pub(crate) trait InType {
 /// Does it in the type of this name.
 pub(crate) fn in_type<F: InType>(name: &str, f: F) -> Result<F::Output> {
     match name {
-        "f32" => Ok(f.run::<f32>()),
-        "f64" => Ok(f.run::<f64>()),
-        "Fast<f32>" => Ok(f.run::<Fast<f32>>()),
-        "Precise<f32>" => Ok(f.run::<Precise<f32>>()),
-        "Precise<f64>" => Ok(f.run::<Precise<f64>>()),
-        FIXED => Ok(f.run::<Integers>()),
-        FIXED16 => Ok(f.run::<Integers16>()),
-        _ => Err(Failure(format!("no number type {name}"))),
+        FIXED => return Ok(f.run::<Integers>()),
+        FIXED16 => return Ok(f.run::<Integers16>()),
+        _ => {}
+    }
+    let mut named = Named {
+        name,
+        task: Some(f),
+        output: None,
+    };
+    every_number(&mut named);
+    named
+        .output
+        .ok_or_else(|| Failure(format!("no number type {name}")))
+}
+
+/// Looks for a number type by its name.
+struct Named<'a, F: InType> {
+    name: &'a str,
+    task: Option<F>,
+    output: Option<F::Output>,
+}
+
+impl<F: InType> NumberVisitor for Named<'_, F> {
+    fn number<T: Number>(&mut self) {
+        if T::NAME == self.name {
+            self.output = self.task.take().map(F::run::<T>);
+        }
     }
 }
 

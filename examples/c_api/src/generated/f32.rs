@@ -21,7 +21,7 @@ fn pair(at: Pair<f32>) -> CosSin<f32> {
 }
 
 /// `coslobe_cos_power_f32` of the header.
-pub type Lobe = Handle<CosPower<f32>, 12>;
+pub type Lobe = Handle<CosPower<f32>, 24>;
 const NONE: f32 = f32::NAN;
 const NO_PAIR: Pair<f32> = Pair {
     cos: f32::NAN,

@@ -22,7 +22,7 @@ fn pair(at: Pair<f32>) -> CosSin<Fast<f32>> {
 }
 
 /// `coslobe_cos_power_fast` of the header.
-pub type Lobe = Handle<CosPower<Fast<f32>>, 12>;
+pub type Lobe = Handle<CosPower<Fast<f32>>, 24>;
 const NONE: f32 = f32::NAN;
 const NO_PAIR: Pair<f32> = Pair {
     cos: f32::NAN,

@@ -3,6 +3,7 @@
 use crate::boundary::*;
 use core::ffi::c_int;
 use coslobe::Fixed16;
+use coslobe::self_test;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, SphereShell};
 use fixed::types::{I0F16, I1F15, U0F16};
 
@@ -44,6 +45,14 @@ pub unsafe extern "C" fn coslobe_disk_fill_q15(
             Fixed16(Disk).sample(words).map(|x| x.to_bits())
         })
     }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_disk_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(Disk))) }
 }
 
 #[unsafe(no_mangle)]
@@ -123,6 +132,14 @@ pub unsafe extern "C" fn coslobe_circle_shell_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_circle_shell_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(CircleShell))) }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_circle_shell_pdf_q15(theta: i16) -> u16 {
     Fixed16(CircleShell).pdf(I0F16::from_bits(theta)).to_bits()
 }
@@ -199,6 +216,14 @@ pub unsafe extern "C" fn coslobe_circle_arc_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_circle_arc_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(CircleArc))) }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_circle_arc_pdf_q15(theta: i16) -> u16 {
     Fixed16(CircleArc).pdf(I0F16::from_bits(theta)).to_bits()
 }
@@ -261,6 +286,21 @@ pub unsafe extern "C" fn coslobe_ball_sample_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_sample_around_q15(
+    normal: *const [i16; 3],
+    rng: *const Generator,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed16(Ball)
+                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_ball_fill_q15(
     rng: *const Generator,
     directions: *mut [i16; 3],
@@ -275,8 +315,39 @@ pub unsafe extern "C" fn coslobe_ball_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_warp_direction_q15(
+    p: u16,
+    turn: u16,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed16(Ball)
+                .warp_direction([U0F16::from_bits(p), U0F16::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(Ball))) }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_ball_pdf_q15(theta: i16) -> u16 {
     Fixed16(Ball).pdf(I0F16::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_ball_pdf_solid_angle_q15(theta: i16) -> u16 {
+    Fixed16(Ball)
+        .pdf_solid_angle(I0F16::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
@@ -337,6 +408,21 @@ pub unsafe extern "C" fn coslobe_sphere_shell_sample_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_sample_around_q15(
+    normal: *const [i16; 3],
+    rng: *const Generator,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed16(SphereShell)
+                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_sphere_shell_fill_q15(
     rng: *const Generator,
     directions: *mut [i16; 3],
@@ -351,8 +437,39 @@ pub unsafe extern "C" fn coslobe_sphere_shell_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_warp_direction_q15(
+    p: u16,
+    turn: u16,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed16(SphereShell)
+                .warp_direction([U0F16::from_bits(p), U0F16::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(SphereShell))) }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_sphere_shell_pdf_q15(theta: i16) -> u16 {
     Fixed16(SphereShell).pdf(I0F16::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_sphere_shell_pdf_solid_angle_q15(theta: i16) -> u16 {
+    Fixed16(SphereShell)
+        .pdf_solid_angle(I0F16::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
@@ -413,6 +530,21 @@ pub unsafe extern "C" fn coslobe_lambert_sample_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_sample_around_q15(
+    normal: *const [i16; 3],
+    rng: *const Generator,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed16(Lambert)
+                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_lambert_fill_q15(
     rng: *const Generator,
     directions: *mut [i16; 3],
@@ -427,8 +559,39 @@ pub unsafe extern "C" fn coslobe_lambert_fill_q15(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_warp_direction_q15(
+    p: u16,
+    turn: u16,
+    direction: *mut [i16; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed16(Lambert)
+                .warp_direction([U0F16::from_bits(p), U0F16::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_self_test_q15(
+    rng: *const Generator,
+    fault: *mut CFault,
+) -> c_int {
+    unsafe { judge(rng, fault, self_test::fixed(Fixed16(Lambert))) }
+}
+
+#[unsafe(no_mangle)]
 pub extern "C" fn coslobe_lambert_pdf_q15(theta: i16) -> u16 {
     Fixed16(Lambert).pdf(I0F16::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_lambert_pdf_solid_angle_q15(theta: i16) -> u16 {
+    Fixed16(Lambert)
+        .pdf_solid_angle(I0F16::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]

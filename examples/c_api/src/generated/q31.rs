@@ -23,7 +23,7 @@ fn pair(at: Pair<i32>) -> CosSin<I1F31> {
 }
 
 /// `coslobe_cos_power_q31` of the header.
-pub type Lobe = Handle<Fixed<CosPower>, 8>;
+pub type Lobe = Handle<Fixed<CosPower>, 10>;
 const NO_PAIR: Pair<i32> = Pair { cos: 0, sin: 0 };
 
 #[unsafe(no_mangle)]
@@ -296,6 +296,21 @@ pub unsafe extern "C" fn coslobe_ball_sample_q31(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_sample_around_q31(
+    normal: *const [i32; 3],
+    rng: *const Generator,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed(Ball)
+                .sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_ball_fill_q31(
     rng: *const Generator,
     directions: *mut [i32; 3],
@@ -310,6 +325,22 @@ pub unsafe extern "C" fn coslobe_ball_fill_q31(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_ball_warp_direction_q31(
+    p: u32,
+    turn: u32,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed(Ball)
+                .warp_direction([U0F32::from_bits(p), U0F32::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_ball_self_test_q31(
     rng: *const Generator,
     fault: *mut CFault,
@@ -320,6 +351,13 @@ pub unsafe extern "C" fn coslobe_ball_self_test_q31(
 #[unsafe(no_mangle)]
 pub extern "C" fn coslobe_ball_pdf_q31(theta: i32) -> u32 {
     Fixed(Ball).pdf(I0F32::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_ball_pdf_solid_angle_q31(theta: i32) -> u32 {
+    Fixed(Ball)
+        .pdf_solid_angle(I0F32::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
@@ -380,6 +418,21 @@ pub unsafe extern "C" fn coslobe_sphere_shell_sample_q31(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_sample_around_q31(
+    normal: *const [i32; 3],
+    rng: *const Generator,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed(SphereShell)
+                .sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_sphere_shell_fill_q31(
     rng: *const Generator,
     directions: *mut [i32; 3],
@@ -394,6 +447,22 @@ pub unsafe extern "C" fn coslobe_sphere_shell_fill_q31(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_sphere_shell_warp_direction_q31(
+    p: u32,
+    turn: u32,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed(SphereShell)
+                .warp_direction([U0F32::from_bits(p), U0F32::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_sphere_shell_self_test_q31(
     rng: *const Generator,
     fault: *mut CFault,
@@ -404,6 +473,13 @@ pub unsafe extern "C" fn coslobe_sphere_shell_self_test_q31(
 #[unsafe(no_mangle)]
 pub extern "C" fn coslobe_sphere_shell_pdf_q31(theta: i32) -> u32 {
     Fixed(SphereShell).pdf(I0F32::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_sphere_shell_pdf_solid_angle_q31(theta: i32) -> u32 {
+    Fixed(SphereShell)
+        .pdf_solid_angle(I0F32::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
@@ -464,6 +540,21 @@ pub unsafe extern "C" fn coslobe_lambert_sample_q31(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_sample_around_q31(
+    normal: *const [i32; 3],
+    rng: *const Generator,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        around(normal, rng, direction, |normal, words| {
+            Fixed(Lambert)
+                .sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                .map(|x| x.to_bits())
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_lambert_fill_q31(
     rng: *const Generator,
     directions: *mut [i32; 3],
@@ -478,6 +569,22 @@ pub unsafe extern "C" fn coslobe_lambert_fill_q31(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_lambert_warp_direction_q31(
+    p: u32,
+    turn: u32,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        put(
+            direction,
+            Fixed(Lambert)
+                .warp_direction([U0F32::from_bits(p), U0F32::from_bits(turn)])
+                .map(|x| x.to_bits()),
+        )
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_lambert_self_test_q31(
     rng: *const Generator,
     fault: *mut CFault,
@@ -488,6 +595,13 @@ pub unsafe extern "C" fn coslobe_lambert_self_test_q31(
 #[unsafe(no_mangle)]
 pub extern "C" fn coslobe_lambert_pdf_q31(theta: i32) -> u32 {
     Fixed(Lambert).pdf(I0F32::from_bits(theta)).to_bits()
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn coslobe_lambert_pdf_solid_angle_q31(theta: i32) -> u32 {
+    Fixed(Lambert)
+        .pdf_solid_angle(I0F32::from_bits(theta))
+        .to_bits()
 }
 
 #[unsafe(no_mangle)]
@@ -551,6 +665,23 @@ pub unsafe extern "C" fn coslobe_cos_power_sample_q31(
 }
 
 #[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_cos_power_sample_around_q31(
+    law: *const Lobe,
+    normal: *const [i32; 3],
+    rng: *const Generator,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        with(law, NULL_POINTER, |law| {
+            around(normal, rng, direction, |normal, words| {
+                law.sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                    .map(|x| x.to_bits())
+            })
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_cos_power_fill_q31(
     law: *const Lobe,
     rng: *const Generator,
@@ -563,6 +694,24 @@ pub unsafe extern "C" fn coslobe_cos_power_fill_q31(
             fill(rng, directions, n, filled, |words| {
                 law.sample(words).map(|x| x.to_bits())
             })
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_cos_power_warp_direction_q31(
+    law: *const Lobe,
+    p: u32,
+    turn: u32,
+    direction: *mut [i32; 3],
+) -> c_int {
+    unsafe {
+        with(law, NULL_POINTER, |law| {
+            put(
+                direction,
+                law.warp_direction([U0F32::from_bits(p), U0F32::from_bits(turn)])
+                    .map(|x| x.to_bits()),
+            )
         })
     }
 }
@@ -583,6 +732,18 @@ pub unsafe extern "C" fn coslobe_cos_power_self_test_q31(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn coslobe_cos_power_pdf_q31(law: *const Lobe, theta: i32) -> u32 {
     unsafe { with(law, 0, |law| law.pdf(I0F32::from_bits(theta)).to_bits()) }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn coslobe_cos_power_pdf_solid_angle_q31(
+    law: *const Lobe,
+    theta: i32,
+) -> u32 {
+    unsafe {
+        with(law, 0, |law| {
+            law.pdf_solid_angle(I0F32::from_bits(theta)).to_bits()
+        })
+    }
 }
 
 #[unsafe(no_mangle)]

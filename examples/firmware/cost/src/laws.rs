@@ -22,12 +22,15 @@ impl<T: Number> LawVisitor<T> for Counted<'_, '_> {
         planar::<T, L>(self.0, L::ID.name(), &law);
     }
     fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
-        let name = if id == Id::CosPower(EXPONENT) {
-            "CosPower(20)"
-        } else {
-            id.name()
-        };
-        spatial::<T, L>(self.0, name, &law);
+        spatial::<T, L>(self.0, counted_name(id), &law);
+    }
+}
+
+/// A law's name in the table.
+pub(crate) fn counted_name(id: Id) -> &'static str {
+    match id {
+        Id::CosPower(_) => "CosPower(20)",
+        id => id.name(),
     }
 }
 

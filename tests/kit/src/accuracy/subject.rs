@@ -2,13 +2,10 @@
 
 use super::format::Format;
 use super::op::{AT_ANGLE, AT_TAIL, Op, name};
-use super::reference::Id;
 use super::values::{On, Values};
-use crate::Number;
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Precise, Spatial,
-    SphereShell,
-};
+use crate::catalogue::one_law;
+use crate::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
+use coslobe::{CosSin, Fast, Law, Precise, Spatial};
 
 /// A law in each number type that there is of a format.
 pub trait Tiers: Format {
@@ -70,19 +67,9 @@ impl<F: Format> Subject<F> {
 
     /// The law in the number type T.
     pub fn of<T: Number<Raw = F>>(id: Id) -> Self {
-        match id {
-            Id::Disk => Self::planar::<T>(id, Disk),
-            Id::CircleShell => Self::planar::<T>(id, CircleShell),
-            Id::CircleArc => Self::planar::<T>(id, CircleArc),
-            Id::Ball => Self::spatial::<T>(id, Ball),
-            Id::SphereShell => Self::spatial::<T>(id, SphereShell),
-            Id::Lambert => Self::spatial::<T>(id, Lambert),
-            Id::CosPower(k) => {
-                let law = CosPower::new(T::of(k)).expect("a valid exponent");
-                // The exponent that the format holds is the one to judge by.
-                Self::spatial::<T>(Id::CosPower(law.exponent().raw().wide()), law)
-            }
-        }
+        let mut found = Found::<F>(None);
+        one_law::<T, _>(id, &mut found);
+        found.0.expect("a valid exponent")
     }
 
     /// The laws in all their number types, those of a law side by side: they share its reference.
@@ -109,5 +96,21 @@ impl<F: Format> Subject<F> {
         }
         let slot = at(&AT_ANGLE).unwrap_or_else(|| panic!("unknown operation {operation}"));
         self.law.at_angle(Some(x), CosSin { cos: x, sin: x })[slot]
+    }
+}
+
+struct Found<F>(Option<Subject<F>>);
+
+impl<F: Format, T: Number<Raw = F>> LawVisitor<T> for Found<F> {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        self.0 = Some(Subject::planar::<T>(id, law));
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        // The exponent that the format holds is the one to judge by.
+        let id = match id {
+            Id::CosPower(k) => Id::CosPower(T::of(k).wide()),
+            id => id,
+        };
+        self.0 = Some(Subject::spatial::<T>(id, law));
     }
 }

@@ -2,8 +2,8 @@
 //! doubtful cases of `f32`, double-double with an exponent of its own where those of `f64` run out.
 //!
 //! Everything that a law needs is built from the standard library, series and Newton steps, not from
-//! the crate's kernels; `tests/arb.rs` checks it against the committed Arb tables, and
-//! `tests/references.rs` the narrower of it against the wider.
+//! the crate's kernels; `tests/errors/arb.rs` checks it against the committed Arb tables, and
+//! `tests/errors/references.rs` the narrower of it against the wider.
 
 use super::double::Double;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -6,6 +6,9 @@ use coslobe::{CosSin, Fixed16};
 use fixed::types::{I0F16, I1F15, U0F16};
 use std::ops::Deref;
 
+/// A component of 1.
+pub const Q15: f64 = 32768.0;
+
 pub type Pair = CosSin<I1F15>;
 
 /// A law and its operations on bare words.

@@ -1,7 +1,7 @@
 //! Errors of the peers, by the code that the boards count.
 
 use kit::accuracy::reference::{self, Direction, Id};
-use kit::formulas::{EXPONENT, Libm, Maths, Micromath, Plane, Space};
+use kit::formulas::{Libm, Maths, Micromath, Plane, Space};
 use kit::study::errors::{Errors, of_angle, of_map, of_quantile};
 use kit::study::inputs::{Uniforms, angles};
 
@@ -18,48 +18,38 @@ pub(crate) fn error(binary: &str, law: &str, operation: &str) -> Option<f64> {
     errors.map(|e| e.worst())
 }
 
-enum Kind {
-    Plane(Plane, Id),
-    Space(Space, Id),
+fn of<M: Maths + 'static>(law: &str, operation: &str) -> Option<Errors> {
+    let id = Id::parse(law)?;
+    match (Plane::of(id), Space::of(id)) {
+        (Some(law), _) => in_plane::<M>(law, id, operation),
+        (_, law) => in_space::<M>(law?, id, operation),
+    }
 }
 
-fn kind(law: &str) -> Option<Kind> {
-    Some(match law {
-        "Disk" => Kind::Plane(Plane::Disk, Id::Disk),
-        "CircleShell" => Kind::Plane(Plane::CircleShell, Id::CircleShell),
-        "CircleArc" => Kind::Plane(Plane::CircleArc, Id::CircleArc),
-        "Ball" => Kind::Space(Space::Ball, Id::Ball),
-        "SphereShell" => Kind::Space(Space::SphereShell, Id::SphereShell),
-        "Lambert" => Kind::Space(Space::Lambert, Id::Lambert),
-        "CosPower(20)" => Kind::Space(Space::CosPower, Id::CosPower(EXPONENT.into())),
+fn in_plane<M: Maths + 'static>(law: Plane, id: Id, operation: &str) -> Option<Errors> {
+    Some(match operation {
+        // Of two uniforms: no map of one tail.
+        "sample" | "quantile" if law == Plane::Disk => return None,
+        "sample" => of_map::<f32, 2>(id, false, Uniforms::Grid, PER_OCTAVE, |u| {
+            law.direction::<M>(u, || 0.0)
+        }),
+        "quantile" => {
+            of_quantile::<f32>(id, PER_OCTAVE, |p| law.quantile::<M>(p).unwrap_or(f32::NAN))
+        }
+        "pdf" => pdf(id, |x| law.pdf::<M>(x)),
+        "cdf" => cdf(id, |x| law.cdf::<M>(x)),
         _ => return None,
     })
 }
 
-fn of<M: Maths + 'static>(law: &str, operation: &str) -> Option<Errors> {
-    Some(match (kind(law)?, operation) {
-        // Of two uniforms: no map of one tail.
-        (Kind::Plane(Plane::Disk, _), "sample" | "quantile") => return None,
-        (Kind::Plane(law, id), "sample") => {
-            of_map::<f32, 2>(id, false, Uniforms::Grid, PER_OCTAVE, |u| {
-                law.direction::<M>(u, || 0.0)
-            })
-        }
-        (Kind::Space(law, id), "sample") => {
-            of_map::<f32, 3>(id, true, Uniforms::Grid, PER_OCTAVE, |u| {
-                law.direction::<M>(u, 0.3)
-            })
-        }
-        (Kind::Plane(law, id), "quantile") => {
-            of_quantile::<f32>(id, PER_OCTAVE, |p| law.quantile::<M>(p).unwrap_or(f32::NAN))
-        }
-        (Kind::Space(law, id), "quantile") => {
-            of_quantile::<f32>(id, PER_OCTAVE, |p| law.quantile::<M>(p))
-        }
-        (Kind::Plane(law, id), "pdf") => pdf(id, |x| law.pdf::<M>(x)),
-        (Kind::Space(law, id), "pdf") => pdf(id, |x| law.pdf::<M>(x)),
-        (Kind::Plane(law, id), "cdf") => cdf(id, |x| law.cdf::<M>(x)),
-        (Kind::Space(law, id), "cdf") => cdf(id, |x| law.cdf::<M>(x)),
+fn in_space<M: Maths + 'static>(law: Space, id: Id, operation: &str) -> Option<Errors> {
+    Some(match operation {
+        "sample" => of_map::<f32, 3>(id, true, Uniforms::Grid, PER_OCTAVE, |u| {
+            law.direction::<M>(u, 0.3)
+        }),
+        "quantile" => of_quantile::<f32>(id, PER_OCTAVE, |p| law.quantile::<M>(p)),
+        "pdf" => pdf(id, |x| law.pdf::<M>(x)),
+        "cdf" => cdf(id, |x| law.cdf::<M>(x)),
         _ => return None,
     })
 }

@@ -2,13 +2,20 @@
 //! either, whatever the optimiser leaves of the checks.
 
 use super::image::build_as;
-use super::whole::{DOUBLE, FIXED, FIXED16, SINGLE, complete};
+use super::whole::{DOUBLE, FIXED, FIXED16, LITTLE, SINGLE, complete};
 use super::{Shown, caught};
 use crate::boards::Board;
 use crate::failure::Result;
 use indicatif::ProgressBar;
 
 const LEVELS: [&str; 2] = ["s", "z"];
+
+const CALLS: [(&str, &str); 4] = [
+    ("f32 and Fast<f32>", SINGLE),
+    ("f64 and Precise", DOUBLE),
+    ("Fixed", FIXED),
+    ("Fixed16", FIXED16),
+];
 
 /// Processors with the least instructions and with the most; other Thumb cores lie between them.
 fn shown_on(board: &Board) -> bool {
@@ -18,7 +25,7 @@ fn shown_on(board: &Board) -> bool {
 /// Images that [`show`] builds.
 pub(super) fn images(board: &Board) -> u64 {
     if shown_on(board) {
-        2 * LEVELS.len() as u64
+        (LEVELS.len() * (CALLS.len() + 1)) as u64
     } else {
         0
     }
@@ -28,31 +35,23 @@ pub(super) fn show(board: &Board, bar: &ProgressBar) -> Shown {
     if !shown_on(board) {
         return Shown::new();
     }
-    let all = [SINGLE, DOUBLE, FIXED, FIXED16].map(|calls| format!("({calls})"));
-    let all = all.join(" ^ ");
-    let linked = |level: &str, planted| {
-        let outcome = with_checks(board, &all, level, planted);
+    let mut shown = Vec::new();
+    for level in LEVELS {
+        let how = format!("opt-level {level}, overflow checks on");
+        for (types, calls) in CALLS {
+            let outcome = with_checks(board, calls, level, None);
+            bar.inc(1);
+            shown.push((format!("{types}, {how}: no panic"), outcome));
+        }
+        let planted = with_checks(board, LITTLE, level, Some("plant-overflow"));
         bar.inc(1);
-        outcome
-    };
-    LEVELS
-        .into_iter()
-        .flat_map(|level| {
-            [
-                (
-                    format!("opt-level {level}, overflow checks on: no panic"),
-                    linked(level, None),
-                ),
-                (
-                    format!("opt-level {level}: plant-overflow is caught"),
-                    caught(
-                        linked(level, Some("plant-overflow")),
-                        "undefined symbol: a_panic_is_reachable",
-                    ),
-                ),
-            ]
-        })
-        .collect()
+        let reason = "undefined symbol: a_panic_is_reachable";
+        shown.push((
+            format!("{how}: plant-overflow is caught"),
+            caught(planted, reason),
+        ));
+    }
+    shown
 }
 
 fn with_checks(board: &Board, calls: &str, level: &str, planted: Option<&str>) -> Result<()> {

@@ -21,7 +21,7 @@ pub(super) const FIXED: &str = "fixed_everything(x, rng)";
 /// The same in 16 bits.
 pub(super) const FIXED16: &str = "fixed16_everything(x, rng)";
 /// What is planted, beside little else.
-const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";
+pub(super) const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";
 const LITTLE_FIXED: &str = "fixed_sampler(Lambert, rng)";
 /// A product that Cortex-M0 has no instruction for.
 const LONG: &str = "fixed16_sampler(Lambert, rng) ^ long_product(x, rng)";

@@ -3,55 +3,28 @@
 use crate::Meter;
 use crate::generator::Generator;
 use crate::inputs::{angles, probabilities};
+use crate::laws::{EXPONENT, counted_name};
+use core::marker::PhantomData;
 use coslobe::rand_core::Rng;
 use kit::formulas::{Maths, Plane, Space, lambert_by_idsp};
+use kit::{Id, LawVisitor, Named, PlanarLaw, SpatialLaw, catalogue};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
 
-/// A law as a type, so that a function's pointer says which one it is of.
-trait Is<Kind> {
-    const LAW: Kind;
-}
-
-struct Disk;
-struct CircleShell;
-struct CircleArc;
-struct Ball;
-struct SphereShell;
-struct Lambert;
-struct CosPower;
-
-impl Is<Plane> for Disk {
-    const LAW: Plane = Plane::Disk;
-}
-impl Is<Plane> for CircleShell {
-    const LAW: Plane = Plane::CircleShell;
-}
-impl Is<Plane> for CircleArc {
-    const LAW: Plane = Plane::CircleArc;
-}
-impl Is<Space> for Ball {
-    const LAW: Space = Space::Ball;
-}
-impl Is<Space> for SphereShell {
-    const LAW: Space = Space::SphereShell;
-}
-impl Is<Space> for Lambert {
-    const LAW: Space = Space::Lambert;
-}
-impl Is<Space> for CosPower {
-    const LAW: Space = Space::CosPower;
-}
-
-/// Every law in a library's functions.
+/// Every law in a library's functions, in the type of ours.
 pub fn every_law<M: Maths>(meter: &mut Meter) {
-    plane::<M, _>(meter, "Disk", &Disk);
-    plane::<M, _>(meter, "CircleShell", &CircleShell);
-    plane::<M, _>(meter, "CircleArc", &CircleArc);
-    space::<M, _>(meter, "Ball", &Ball);
-    space::<M, _>(meter, "SphereShell", &SphereShell);
-    space::<M, _>(meter, "Lambert", &Lambert);
-    space::<M, _>(meter, "CosPower(20)", &CosPower);
+    catalogue::every_law::<f32>(&mut Counted::<M>(meter, PhantomData), &[EXPONENT]);
+}
+
+struct Counted<'a, 'm, M>(&'a mut Meter<'m>, PhantomData<M>);
+
+impl<M: Maths> LawVisitor<f32> for Counted<'_, '_, M> {
+    fn planar<L: PlanarLaw<f32>>(&mut self, _: Id, law: L) {
+        plane::<M, L>(self.0, L::ID.name(), &law);
+    }
+    fn spatial<L: SpatialLaw<f32>>(&mut self, id: Id, law: L) {
+        space::<M, L>(self.0, counted_name(id), &law);
+    }
 }
 
 /// A uniform number on the usual grid of 2⁻²⁴.
@@ -60,37 +33,69 @@ fn uniform(rng: &mut impl Rng) -> f32 {
     (rng.next_u32() >> 8) as f32 * (1.0 / (1 << 24) as f32)
 }
 
-fn in_plane<M: Maths, L: Is<Plane>, R: Rng>(_: &L, rng: &mut R) -> [f32; 2] {
-    L::LAW.direction::<M>(uniform(rng), || uniform(rng))
+const fn planar<L: Named>() -> Plane {
+    Plane::of(L::ID).expect("a law of the plane")
 }
 
-fn in_space<M: Maths, L: Is<Space>, R: Rng>(_: &L, rng: &mut R) -> [f32; 3] {
-    L::LAW.direction::<M>(uniform(rng), uniform(rng))
+const fn solid<L: Named>() -> Space {
+    Space::of(L::ID).expect("a law of space")
 }
 
-fn plane<M: Maths, L: Is<Plane>>(meter: &mut Meter, name: &'static str, law: &L) {
+fn in_plane<M: Maths, L: Named, R: Rng>(_: &L, rng: &mut R) -> [f32; 2] {
+    const { planar::<L>() }.direction::<M>(uniform(rng), || uniform(rng))
+}
+
+fn in_space<M: Maths, L: Named, R: Rng>(_: &L, rng: &mut R) -> [f32; 3] {
+    const { solid::<L>() }.direction::<M>(uniform(rng), uniform(rng))
+}
+
+fn plane<M: Maths, L: Named>(meter: &mut Meter, name: &'static str, law: &L) {
     meter.law(name);
     let (theta, p) = (angles::<f32>(true), probabilities::<f32>());
-    meter.call("pdf", law, &theta, |_, x| L::LAW.pdf::<M>(x), |_, x| x);
-    meter.call("cdf", law, &theta, |_, x| L::LAW.cdf::<M>(x), |_, x| x);
-    if L::LAW != Plane::Disk {
-        let quantile = |_: &L, p| L::LAW.quantile::<M>(p).unwrap_or(p);
+    meter.call(
+        "pdf",
+        law,
+        &theta,
+        |_, x| const { planar::<L>() }.pdf::<M>(x),
+        |_, x| x,
+    );
+    meter.call(
+        "cdf",
+        law,
+        &theta,
+        |_, x| const { planar::<L>() }.cdf::<M>(x),
+        |_, x| x,
+    );
+    if const { planar::<L>() } != Plane::Disk {
+        let quantile = |_: &L, p| const { planar::<L>() }.quantile::<M>(p).unwrap_or(p);
         meter.call("quantile", law, &p, quantile, |_, x| x);
     }
     meter.draw::<Pcg32, _, _>(law, in_plane::<M, L, _>, |_, _| [0.0; 2]);
     meter.draw::<XorShiftRng, _, _>(law, in_plane::<M, L, _>, |_, _| [0.0; 2]);
 }
 
-fn space<M: Maths, L: Is<Space>>(meter: &mut Meter, name: &'static str, law: &L) {
+fn space<M: Maths, L: Named>(meter: &mut Meter, name: &'static str, law: &L) {
     meter.law(name);
     let (theta, p) = (angles::<f32>(false), probabilities::<f32>());
-    meter.call("pdf", law, &theta, |_, x| L::LAW.pdf::<M>(x), |_, x| x);
-    meter.call("cdf", law, &theta, |_, x| L::LAW.cdf::<M>(x), |_, x| x);
+    meter.call(
+        "pdf",
+        law,
+        &theta,
+        |_, x| const { solid::<L>() }.pdf::<M>(x),
+        |_, x| x,
+    );
+    meter.call(
+        "cdf",
+        law,
+        &theta,
+        |_, x| const { solid::<L>() }.cdf::<M>(x),
+        |_, x| x,
+    );
     meter.call(
         "quantile",
         law,
         &p,
-        |_, p| L::LAW.quantile::<M>(p),
+        |_, p| const { solid::<L>() }.quantile::<M>(p),
         |_, x| x,
     );
     meter.draw::<Pcg32, _, _>(law, in_space::<M, L, _>, |_, _| [0.0; 3]);

@@ -1,0 +1,13 @@
+//! Promise: no result errs by more than `docs/bounds.md`, or its own documentation, allows.
+
+mod arb;
+mod frames_and_weights;
+mod moments;
+mod planted;
+mod points;
+mod precise_tiny;
+mod q15;
+mod q31;
+mod references;
+mod sweeps;
+mod worst_inputs;

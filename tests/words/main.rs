@@ -1,0 +1,4 @@
+//! Promise: the words of randomness become the documented uniforms, and results that are functions of them.
+
+mod q15;
+mod uniforms;
