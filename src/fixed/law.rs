@@ -12,7 +12,7 @@ use rand_core::TryRng;
     message = "`{Self}` is no law in integers of the format `{F}`",
     label = "not known to `Fixed` or `Fixed16`",
     note = "both know Disk, CircleShell, CircleArc, Ball, SphereShell and Lambert",
-    note = "the power with an exponent is `coslobe::fixed::CosPower` in integers, of `Fixed` alone; \
+    note = "with an exponent it is `coslobe::fixed::CosPower` in integers, of `Fixed` alone; \
             `coslobe::CosPower` is that of floats"
 )]
 /// A law in integers: cosines and sines in Q31, turns in Q32, to the accuracy of F. Sealed.

@@ -105,6 +105,53 @@
 //! low ones of common generators are poor. Whatever the generator gives, cos θ > 0 and the
 //! direction has unit length to 4 units (`Fixed16`: 2).
 //!
+//! # What is where
+//!
+//! | operation | floats | `Fixed` | `Fixed16` |
+//! |---|---|---|---|
+//! | `warp`, `warp_sf`, `unwarp`, `unwarp_sf`, `density`, `pdf`, `cdf`, `sf`, `quantile`, `isf` | all | all | not `CosPower` |
+//! | `sample`, `try_sample` | all | all | not `CosPower` |
+//! | `pdf_solid_angle`, `warp_direction`, `unwarp_direction`, `sample_around` | in space | in space | in space |
+//! | `sample_with_density` | all | in space | in space |
+//! | [`Frame`](crate::Frame), [`FixedFrame`] | yes | yes | yes |
+//! | the power-on self-test, `Distribution`, `heapless`, `serde`, `defmt` | yes | yes | yes |
+//! | `ln_pdf`, `moments`, balance and power heuristics | yes | no: a logarithm or an entropy has no fixed scale | no |
+//! | `lambert_weight`, points with a radius | yes | not yet | not yet |
+//! | slices | yes | no: nothing vectorises on the cores these are for | no |
+//!
+//! # Recipes
+//!
+//! Results are as near as the tables above say; there is no rounding mode to choose. Conversions are
+//! the `fixed` crate's: from a float to the nearest, from a longer number down, and what does not fit
+//! **panics** where overflow checks are on: 1 is no `U0F32` and no `I1F31`. Write
+//! `saturating_from_num`.
+//!
+//! ```
+//! use fixed::types::{I0F32, I1F31, I32F32, U0F32};
+//! let one = U0F32::saturating_from_num(1.0); // not from_num, which panics
+//! let normal = [0.0f32, 1.0, 0.0].map(I1F31::saturating_from_num);
+//! assert_eq!((one, normal[1]), (U0F32::MAX, I1F31::MAX));
+//! // Degrees and radians to turns and back.
+//! let turns = I0F32::from_num(I32F32::from_num(30) / 360);
+//! let radians: f32 = turns.to_num::<f32>() * core::f32::consts::TAU;
+//! assert!((radians - 30f32.to_radians()).abs() < 1e-6);
+//! ```
+//!
+//! An angle in turns, `I0F32`, has the bits of the q31 angle of STM32's CORDIC unit, in which ±1
+//! stands for ±π: both fill the word with one turn.
+//!
+//! Beside a glob import of this crate the crate `fixed` is named `::fixed`, and of the two
+//! `CosPower`s the one that is meant is imported by its path:
+//!
+//! ```
+//! use coslobe::fixed::CosPower;
+//! use coslobe::*;
+//! use ::fixed::types::{I1F31, U16F16};
+//! let mut rng = from_fn(|| 0x9E37_79B9);
+//! let ray: [I1F31; 3] = Fixed(CosPower::new(U16F16::from_num(20))).sample(&mut rng);
+//! # let _ = ray;
+//! ```
+//!
 //! # Cost
 //!
 //! Instructions, flash, stack and words of every operation on Cortex-M0, M3, M4F and RV32IMC stand

@@ -43,6 +43,11 @@ pub(crate) enum LawName {
 
 impl LawName {
     /// The command line's spelling.
+    /// Its figure's file, and its emblem's.
+    pub(crate) fn files(self) -> [String; 2] {
+        [".svg", "-small.svg"].map(|end| self.slug() + end)
+    }
+
     pub(crate) fn slug(self) -> String {
         self.to_possible_value()
             .map_or_else(String::new, |value| value.get_name().to_owned())

@@ -22,25 +22,24 @@ use args::Args;
 use catalog::Entry;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
+use output::{Folder, say};
 use page::Plate;
-use plot::output;
 use std::error::Error;
 use std::process::ExitCode;
 
+const OVERVIEW: &str = "overview.svg";
+const PAGE: &str = "index.html";
+
 fn main() -> ExitCode {
-    match run(&Args::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(e) => {
-            eprintln!("atlas: {e}");
-            ExitCode::FAILURE
-        }
-    }
+    output::exit_code("atlas", run(&Args::parse()))
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
-    output::check(&args.out)?;
     catalog::check_exponent(args.exponent)?;
     let laws = args.chosen();
+    let figures: Vec<String> = laws.iter().flat_map(|law| law.files()).collect();
+    let names = figures.iter().map(String::as_str);
+    let mut folder = Folder::check(&args.out, names.chain([OVERVIEW, PAGE]))?;
 
     // indicatif draws on stderr, and only on a terminal.
     let bar = ProgressBar::new(args.samples.saturating_mul(2 * laws.len() as u64));
@@ -64,18 +63,22 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
 
     let entries: Vec<&Entry> = plates.iter().map(|plate| &plate.entry).collect();
     let overview = overview::draw(&entries, args.seed)?;
-    let mut staging = output::Staging::new(&args.out)?;
     for plate in &plates {
-        let slug = plate.entry.name.slug();
-        staging.add(format!("{slug}.svg"), &plate.figure)?;
-        staging.add(format!("{slug}-small.svg"), &emblem::svg(&plate.entry))?;
+        let [figure, emblem] = plate.entry.name.files();
+        folder.add(figure, plate.figure.as_str());
+        folder.add(emblem, emblem::svg(&plate.entry));
     }
-    staging.add("overview.svg".to_owned(), &overview)?;
-    let page = page::html(&plates, &overview, args.samples, args.seed);
-    staging.add("index.html".to_owned(), &page)?;
-    staging.publish()?;
+    folder.add(OVERVIEW, overview.as_str());
+    folder.add(
+        PAGE,
+        page::html(&plates, &overview, args.samples, args.seed),
+    );
+    folder.publish()?;
 
-    print!("{}", page::table(&plates));
-    println!("\nWrote {}", args.out.join("index.html").display());
+    say(page::table(&plates));
+    say(format_args!(
+        "Wrote {}",
+        output::plain(args.out.join(PAGE).display())
+    ));
     Ok(())
 }

@@ -138,9 +138,9 @@ fn a_second_run_replaces_its_files_and_leaves_others() {
 }
 
 #[test]
-fn a_failure_while_writing_leaves_nothing() {
+fn a_folder_in_a_files_place_is_refused_and_kept() {
     let scratch = Scratch::new("atlas-half");
-    // A folder where the page should go: its rename must fail after the figures are ready.
+    // A folder where the page should go.
     fs::create_dir_all(scratch.0.join("out/index.html/full")).unwrap();
     let output = atlas(
         &scratch.0,
@@ -203,4 +203,59 @@ fn a_file_in_the_folders_place_is_refused_and_kept() {
     }
     assert_eq!(scratch.names(), ["taken"]);
     assert_eq!(fs::read_to_string(scratch.0.join("taken")).unwrap(), "mine");
+}
+
+/// What the atlas prints may go nowhere, where it writes may be no place for files: see `output`.
+#[cfg(unix)]
+#[test]
+fn outputs_are_checked_before_the_work_and_nothing_is_lost() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let scratch = Scratch::new("atlas-outputs");
+    let args = ["--samples", "1000", "--laws", "disk", "--out", "out"];
+    let full = fs::OpenOptions::new().write(true).open("/dev/full");
+    let output = command(&scratch.0)
+        .args(args)
+        .stdout(full.unwrap())
+        .output();
+    let output = output.unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(
+        message.contains("standard output took no more"),
+        "{message}"
+    );
+    let out = scratch.0.join("out");
+    let files = ["disk-small.svg", "disk.svg", "index.html", "overview.svg"];
+    assert_eq!(names(&out), files);
+
+    // What is there stays what it is.
+    fs::rename(out.join("disk.svg"), scratch.0.join("mine.svg")).unwrap();
+    symlink("../mine.svg", out.join("disk.svg")).unwrap();
+    fs::write(scratch.0.join("mine.svg"), "old").unwrap();
+    let page = out.join("index.html");
+    fs::set_permissions(&page, fs::Permissions::from_mode(0o604)).unwrap();
+    succeeds(&scratch.0, &args);
+    assert!(
+        out.join("disk.svg")
+            .symlink_metadata()
+            .unwrap()
+            .is_symlink()
+    );
+    let mine = fs::read_to_string(scratch.0.join("mine.svg")).unwrap();
+    assert!(mine.starts_with("<svg"));
+    assert_eq!(page.metadata().unwrap().permissions().mode() & 0o777, 0o604);
+
+    // A million million samples would never end.
+    let endless = ["--samples", "1000000000000", "--laws", "disk", "--out"];
+    for place in ["/proc", "/proc/atlas", "mine.svg", "out/disk.svg/below"] {
+        let output = atlas(&scratch.0, &[&endless[..], &[place]].concat());
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{place}: {message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+    }
+    fs::remove_file(&page).unwrap();
+    fs::create_dir(&page).unwrap();
+    let output = atlas(&scratch.0, &[&endless[..], &["out"]].concat());
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("index.html: a folder"), "{message}");
 }

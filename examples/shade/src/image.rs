@@ -1,10 +1,8 @@
 //! A frame of pixels: what is known of its noise, and its PNG.
 
 use crate::args::Share;
+use output::File;
 use shade_core::Pixel;
-use std::fs;
-use std::io;
-use std::path::Path;
 
 /// Side of a block of pixels, the unit of work.
 pub(crate) const BLOCK: u16 = 16;
@@ -76,14 +74,29 @@ impl Frame {
             .collect()
     }
 
+    /// Whether every pixel is a number; which is not.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        let is_number = |p: &Pixel<f64>| p.count == 0 || p.mean().iter().all(|x| x.is_finite());
+        match self.pixels.iter().position(|p| !is_number(p)) {
+            None => Ok(()),
+            Some(i) => {
+                let (x, y) = (i % usize::from(self.width), i / usize::from(self.width));
+                let mean = self.pixels[i].mean();
+                Err(format!(
+                    "pixel ({x}, {y}) is {mean:?}; expected finite numbers"
+                ))
+            }
+        }
+    }
+
     /// Writes the image whole, or not at all.
-    pub(crate) fn write_png(&self, path: &Path, exposure: f64) -> Result<(), String> {
-        write_png(path, self.width, self.height, &self.bytes(exposure))
+    pub(crate) fn write_png(&self, out: &File, exposure: f64) -> Result<(), String> {
+        write_png(out, self.width, self.height, &self.bytes(exposure))
     }
 }
 
 /// Writes 8-bit sRGB whole, or not at all.
-pub(crate) fn write_png(path: &Path, width: u16, height: u16, rgb: &[u8]) -> Result<(), String> {
+pub(crate) fn write_png(out: &File, width: u16, height: u16, rgb: &[u8]) -> Result<(), String> {
     let mut data = Vec::new();
     let mut encoder = png::Encoder::new(&mut data, width.into(), height.into());
     encoder.set_color(png::ColorType::Rgb);
@@ -94,7 +107,7 @@ pub(crate) fn write_png(path: &Path, width: u16, height: u16, rgb: &[u8]) -> Res
         .write_image_data(rgb)
         .and_then(|()| writer.finish())
         .map_err(|e| e.to_string())?;
-    write_whole(path, &data)
+    out.write(&data)
 }
 
 /// The transfer function of sRGB, with a power whose bits do not depend on the system.
@@ -108,17 +121,20 @@ pub(crate) fn encoded(x: f64) -> u8 {
     (y * 255.0 + 0.5) as u8
 }
 
-/// A file that appears whole or not at all.
-pub(crate) fn write_whole(path: &Path, data: &[u8]) -> Result<(), String> {
-    let explain = |e: io::Error| format!("cannot write {}: {e}", path.display());
-    let name = path
-        .file_name()
-        .ok_or_else(|| format!("{}: expected a file name", path.display()))?;
-    let hidden = format!(".{}.{}", name.to_string_lossy(), std::process::id());
-    let partial = path.with_file_name(hidden);
-    let written = fs::write(&partial, data).and_then(|()| fs::rename(&partial, path));
-    written.map_err(|e| {
-        let _ = fs::remove_file(&partial);
-        explain(e)
-    })
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_that_is_no_number_is_named() {
+        let mut frame = Frame::new(4, 3);
+        frame.pixels.iter_mut().for_each(|p| p.add([0.5; 3]));
+        assert_eq!(frame.check(), Ok(()));
+        for planted in [f64::NAN, f64::INFINITY] {
+            let mut frame = frame.clone();
+            frame.pixels[9].add([0.5, planted, 0.5]);
+            let said = frame.check().expect_err("planted");
+            assert!(said.starts_with("pixel (1, 2) is [0.5, "), "{said}");
+        }
+    }
 }

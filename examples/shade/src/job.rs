@@ -7,13 +7,15 @@ use crate::{plan, render, table, types};
 use coslobe::{CircleShell, Fast, Lambert, Precise};
 use indicatif::{ProgressBar, ProgressStyle};
 use kit::study::count;
+use output::{File, plain, say};
 use shade::cells::cells;
-use shade::file::{Raw, World, parse, scene};
+use shade::file::{BYTES, Raw, World, parse, scene};
 use shade::sets::{Compiled, Job};
 use shade_core::effect::Lamp;
 use shade_core::{Asked, Effects, Sampling, Scene, Set, Vector};
 use std::error::Error;
 use std::fs;
+use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
@@ -29,10 +31,12 @@ pub(crate) fn run(args: &Args) -> Done<()> {
         Some(Task::Table { out }) => table::run(out),
         Some(Task::Types { scene, out }) => types::run(&read(scene)?.1, scene, out),
         Some(Task::Merge { tiles, out }) => {
+            let inputs: Vec<&Path> = tiles.iter().map(|t| t.as_path()).collect();
+            let file = File::check(out, &inputs)?;
             let (of, frame) = tiles::merge(tiles)?;
             report(&frame);
-            frame.write_png(out, of.exposure)?;
-            println!("wrote {}", out.display());
+            frame.write_png(&file, of.exposure)?;
+            say(format_args!("wrote {}", plain(out.display())));
             Ok(())
         }
         None => image(args),
@@ -44,11 +48,12 @@ fn image(args: &Args) -> Done<()> {
         return Err("expected a scene file and -o OUT.png".into());
     };
     let (text, raw) = read(path)?;
+    let file = File::check(out, &[path])?;
     if let Some(threads) = args.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global()?;
     }
-    println!("{}: {}", path.display(), raw.title);
+    say(plain(format_args!("{}: {}", path.display(), raw.title)));
     let frame = match (raw.flatland, args.number) {
         // What most renders take is compiled for each set of effects; the others ask.
         (false, NumberName::F32) => {
@@ -64,9 +69,12 @@ fn image(args: &Args) -> Done<()> {
         (false, NumberName::Precise) => frame::<[Precise<f32>; 3]>(&raw, args, asked),
         (true, NumberName::Precise) => frame::<[Precise<f32>; 2]>(&raw, args, asked),
     }?;
+    frame
+        .check()
+        .map_err(|e| format!("{e}; a fault of the shader, by which nothing is written"))?;
     let exposure = raw.image.exposure.as_ref().map_or(1.0, |e| *e.get_ref());
     match args.tiles {
-        None => frame.write_png(out, exposure)?,
+        None => frame.write_png(&file, exposure)?,
         Some(share) => {
             let how = format!("{:?} {:?} {:?}", args.samples, args.number, args.law);
             let of = Frames {
@@ -75,17 +83,20 @@ fn image(args: &Args) -> Done<()> {
                 exposure,
                 digest: digest(&[&text, &how]),
             };
-            tiles::write(out, &of, share, &frame)?;
+            tiles::write(&file, &of, share, &frame)?;
         }
     }
-    println!("wrote {}", out.display());
+    say(format_args!("wrote {}", plain(out.display())));
     Ok(())
 }
 
 fn read(path: &Path) -> Done<(String, Raw)> {
     let name = path.display().to_string();
-    let text =
-        fs::read_to_string(path).map_err(|e| format!("{name}: {e}; expected a scene file"))?;
+    // One byte more is too long: not all of what may have no end.
+    let mut text = String::new();
+    fs::File::open(path)
+        .and_then(|file| file.take(BYTES as u64 + 1).read_to_string(&mut text))
+        .map_err(|e| format!("{name}: {e}; expected a scene file"))?;
     let raw = parse(&name, &text)?;
     Ok((text, raw))
 }
@@ -153,7 +164,7 @@ fn frame<V: World>(
     if args.force_all && scene.lamps.is_empty() {
         let _ = scene.lamps.push(Lamp::neutral());
     }
-    println!("{}", plan::describe(&scene, Asked(set), &law, needed));
+    say(plan::describe(&scene, Asked(set), &law, needed));
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} blocks, {eta} left")?;
     let progress = ProgressBar::new(0).with_style(style);
     let samples = args.samples.unwrap_or(*raw.image.samples.get_ref() as u32);
@@ -171,14 +182,16 @@ fn frame<V: World>(
     progress.finish_and_clear();
     let samples: f64 = frame.pixels.iter().map(|p| f64::from(p.count)).sum();
     let rate = samples / seconds;
-    println!("{samples:.3e} samples in {seconds:.2} s: {rate:.3e} samples a second");
+    say(format_args!(
+        "{samples:.3e} samples in {seconds:.2} s: {rate:.3e} samples a second"
+    ));
     report(&frame);
     Ok(frame)
 }
 
 fn report(frame: &Frame) {
     if frame.pixels.iter().all(|p| p.count < 2) {
-        println!("noise: no estimate from one sample a pixel");
+        say("noise: no estimate from one sample a pixel");
         return;
     }
     let (mean, error) = frame.noise();
@@ -187,7 +200,7 @@ fn report(frame: &Frame) {
     } else {
         0.0
     };
-    println!(
+    say(format_args!(
         "noise: a pixel's standard error is {error:.2e} (root mean square), {share:.2} % of the mean radiance {mean:.4}"
-    );
+    ));
 }

@@ -18,11 +18,5 @@ use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match job::run(&Args::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(e) => {
-            eprintln!("shade: {e}");
-            ExitCode::FAILURE
-        }
-    }
+    output::exit_code("shade", job::run(&Args::parse()))
 }

@@ -4,18 +4,7 @@ use crate::args::Share;
 use crate::image::Frame;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use shade_core::{Effects, Number, Pixel, Sampling, Scene, Vector, pixel};
-
-/// The same sums in `f64`: exact for every number type.
-fn widened<T: Number>(p: &Pixel<T>) -> Pixel<f64> {
-    let wide = |x: [T; 3]| x.map(Into::into);
-    Pixel {
-        count: p.count,
-        first: wide(p.first),
-        sum: wide(p.sum),
-        squares: wide(p.squares),
-    }
-}
+use shade_core::{Effects, Pixel, Sampling, Scene, Vector, pixel};
 
 /// The pixels of one share of the frame.
 pub(crate) fn render<V: Vector, E: Effects, L: Sampling<V>>(
@@ -33,7 +22,7 @@ pub(crate) fn render<V: Vector, E: Effects, L: Sampling<V>>(
         .into_par_iter()
         .map(|block| {
             let places = frame.places(block);
-            let pixels = places.map(|at| widened(&pixel(scene, e, law, at, samples, &mut ())));
+            let pixels = places.map(|at| pixel(scene, e, law, at, samples, &mut ()).wide());
             let pixels = pixels.collect();
             progress.inc(1);
             (block, pixels)

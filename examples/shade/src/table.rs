@@ -1,14 +1,17 @@
 //! What each scene costs with the effects that it needs, with all of them, and as written by hand:
 //! `shade.csv` and `shade.md`.
 
-use crate::image::write_whole;
 use indicatif::ProgressBar;
 use kit::study::count::{Missing, counts};
+use output::{Folder, say};
 use shade::cells::{Cell, SHIPPED, cells};
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
+
+const CSV: &str = "shade.csv";
+const PAGE: &str = "shade.md";
 
 /// Rounds over the ways of a scene; the quickest of each counts.
 const ROUNDS: usize = 25;
@@ -22,6 +25,7 @@ struct Row<'c> {
 }
 
 pub(crate) fn run(out: &Path) -> Result<(), Box<dyn Error>> {
+    let mut folder = Folder::check(out, [CSV, PAGE])?;
     let mut cells = cells();
     for c in &cells {
         let needed = cells
@@ -41,7 +45,7 @@ pub(crate) fn run(out: &Path) -> Result<(), Box<dyn Error>> {
         Ok(counts) => counts.into_iter().map(Some).collect(),
         Err(Missing::Failed(e)) => return Err(e.into()),
         Err(Missing::Skipped(reason)) => {
-            println!("SKIPPED: instructions: {reason}");
+            say(format_args!("SKIPPED: instructions: {reason}"));
             vec![None; calls.len()]
         }
     };
@@ -56,9 +60,10 @@ pub(crate) fn run(out: &Path) -> Result<(), Box<dyn Error>> {
             time,
         })
         .collect();
-    write_whole(&out.join("shade.csv"), csv(&rows)?.as_bytes())?;
-    write_whole(&out.join("shade.md"), page(&rows).as_bytes())?;
-    println!("{}", page(&rows));
+    folder.add(CSV, csv(&rows)?);
+    folder.add(PAGE, page(&rows));
+    folder.publish()?;
+    say(page(&rows));
     Ok(())
 }
 

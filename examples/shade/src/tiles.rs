@@ -1,10 +1,12 @@
 //! Shares of a frame as files, and how they are put together: the sums of each pixel, exactly.
 
 use crate::args::Share;
-use crate::image::{Frame, write_whole};
+use crate::image::Frame;
+use output::{File, plain};
 use shade_core::Pixel;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::io::Read;
+use std::path::PathBuf;
 
 /// First bytes of a share's file.
 const MAGIC: &[u8; 8] = b"shade\x01\r\n";
@@ -31,7 +33,7 @@ pub(crate) fn digest(parts: &[&str]) -> u64 {
 }
 
 /// The file of one share.
-pub(crate) fn write(path: &Path, of: &Frames, share: Share, frame: &Frame) -> Result<(), String> {
+pub(crate) fn write(out: &File, of: &Frames, share: Share, frame: &Frame) -> Result<(), String> {
     let mut data = MAGIC.to_vec();
     let numbers = [
         u64::from(of.width),
@@ -49,16 +51,22 @@ pub(crate) fn write(path: &Path, of: &Frames, share: Share, frame: &Frame) -> Re
             sums.for_each(|x| data.extend(x.to_bits().to_le_bytes()));
         }
     }
-    write_whole(path, &data)
+    out.write(&data)
 }
 
 /// The frame of all shares. Every one has to be there once, and of the same frame.
 pub(crate) fn merge(paths: &[PathBuf]) -> Result<(Frames, Frame), String> {
     let mut whole: Option<(Frames, u32, Frame, Vec<u32>)> = None;
     for path in paths {
-        let wrong = |what: String| format!("{}: {what}", path.display());
-        let data = fs::read(path).map_err(|e| wrong(format!("{e}; expected a file of --tiles")))?;
-        let (of, share, body) = header(&data).map_err(wrong)?;
+        let wrong = |what: String| format!("{}: {what}", plain(path.display()));
+        let open = || -> std::io::Result<_> {
+            let (mut file, mut head) = (fs::File::open(path)?, Vec::new());
+            file.by_ref().take(HEADER as u64).read_to_end(&mut head)?;
+            Ok((file, head))
+        };
+        let unread = |e| wrong(format!("{e}; expected a file of --tiles"));
+        let (file, head) = open().map_err(unread)?;
+        let (of, share) = header(&head).map_err(wrong)?;
         let (first, n, frame, seen) = whole.get_or_insert_with(|| {
             (
                 of.clone(),
@@ -79,7 +87,8 @@ pub(crate) fn merge(paths: &[PathBuf]) -> Result<(Frames, Frame), String> {
             )));
         }
         seen.push(share.index);
-        fill(frame, share, body).map_err(wrong)?;
+        fill(frame, share, file).map_err(wrong)?;
+        frame.check().map_err(wrong)?;
     }
     let (of, n, frame, mut seen) = whole.ok_or("no files; expected all shares of a frame")?;
     seen.sort_unstable();
@@ -92,10 +101,12 @@ pub(crate) fn merge(paths: &[PathBuf]) -> Result<(Frames, Frame), String> {
     }
 }
 
-fn header(data: &[u8]) -> Result<(Frames, Share, &[u8]), String> {
+fn header(head: &[u8]) -> Result<(Frames, Share), String> {
     let expected = || "expected a file that --tiles wrote".to_owned();
-    let (head, body) = data.split_at_checked(HEADER).ok_or_else(expected)?;
     let numbers = head.strip_prefix(MAGIC).ok_or_else(expected)?;
+    if head.len() != HEADER {
+        return Err(expected());
+    }
     let number = |i: usize| {
         let bytes = numbers[8 * i..8 * i + 8].try_into();
         bytes.map(u64::from_le_bytes).map_err(|_| expected())
@@ -110,26 +121,31 @@ fn header(data: &[u8]) -> Result<(Frames, Share, &[u8]), String> {
         index: (shares >> 32) as u32,
         of: shares as u32,
     };
-    if !(1..=share.of).contains(&share.index) {
+    let exposure = f64::from_bits(number(2)?);
+    if !(1..=share.of).contains(&share.index) || !exposure.is_finite() {
         return Err(expected());
     }
     let of = Frames {
         width: side(number(0)?).ok_or_else(expected)?,
         height: side(number(1)?).ok_or_else(expected)?,
-        exposure: f64::from_bits(number(2)?),
+        exposure,
         digest: number(3)?,
     };
-    Ok((of, share, body))
+    Ok((of, share))
 }
 
-fn fill(frame: &mut Frame, share: Share, body: &[u8]) -> Result<(), String> {
+fn fill(frame: &mut Frame, share: Share, file: fs::File) -> Result<(), String> {
     let blocks: Vec<u32> = frame.blocks_of(share).collect();
     let pixels: usize = blocks.iter().map(|&b| frame.places(b).count()).sum();
-    if body.len() != pixels * PIXEL {
+    let bytes = pixels * PIXEL;
+    let mut body = Vec::new();
+    // One more would be too many: not all of what may have no end.
+    let read = file.take(bytes as u64 + 1).read_to_end(&mut body);
+    read.map_err(|e| e.to_string())?;
+    if body.len() != bytes {
+        let than = if body.len() < bytes { "fewer" } else { "more" };
         return Err(format!(
-            "{} bytes of pixels; expected {}",
-            body.len(),
-            pixels * PIXEL
+            "{than} than {bytes} bytes of pixels; expected as many"
         ));
     }
     let mut rest = body.chunks_exact(PIXEL).map(|bytes| {
@@ -143,6 +159,7 @@ fn fill(frame: &mut Frame, share: Share, body: &[u8]) -> Result<(), String> {
             first: rgb(),
             sum: rgb(),
             squares: rgb(),
+            rests: [[0.0; 3]; 2],
         }
     });
     for block in blocks {

@@ -4,6 +4,7 @@
 use crate::catalog::Counted;
 use crate::study::bar;
 use kit::study::count::{Missing, counts};
+use output::say;
 use std::error::Error;
 
 /// Standard errors that a mean may be off: among a hundred samplers, one in a million runs.
@@ -45,14 +46,14 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
                     ));
                 }
             }
-            println!("{} counts, twice", first.len());
+            say(format_args!("{} counts, twice", first.len()));
         }
-        Err(Missing::Skipped(reason)) => println!("SKIPPED: instructions: {reason}"),
+        Err(Missing::Skipped(reason)) => say(format_args!("SKIPPED: instructions: {reason}")),
         Err(Missing::Failed(e)) => wrong.push(e),
     }
     if wrong.is_empty() {
         Ok(())
     } else {
-        Err(wrong.join("\n").into())
+        Err(wrong.join("; ").into())
     }
 }

@@ -34,7 +34,7 @@ pub(crate) fn run(input: &Path, values: Option<&Path>) -> Result<(), String> {
         best = best.min(start.elapsed().as_secs_f64());
         black_box(&theta);
     }
-    println!("{}", best * 1e9 / p.len() as f64);
+    output::say(best * 1e9 / p.len() as f64);
     if let Some(path) = values {
         let pairs = p.iter().zip(&theta);
         let bytes: Vec<u8> = pairs

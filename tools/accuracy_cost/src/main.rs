@@ -70,11 +70,5 @@ fn main() -> ExitCode {
             None => study::run(&args),
         },
     };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(e) => {
-            eprintln!("accuracy_cost: {e}");
-            ExitCode::FAILURE
-        }
-    }
+    output::exit_code("accuracy_cost", done)
 }

@@ -14,12 +14,19 @@ use kit::accuracy::rows::{law_name, total_inputs};
 use kit::study::count::{Missing, counts};
 use kit::study::errors::Errors;
 use kit::study::inputs::Uniforms;
-use plot::output;
+use output::{Folder, say, warn};
 use std::collections::HashMap;
 use std::error::Error;
 
 /// Uniforms in each octave that a relative error is the worst of.
 const PER_OCTAVE: u32 = 64;
+
+const JUDGED: &str = judged::FILE;
+const TABLE: &str = "accuracy_cost.csv";
+const PAGE: &str = "accuracy_cost.md";
+const PARETO: &str = "accuracy_cost.svg";
+const STABILITY: &str = "stability.svg";
+const FILES: [&str; 5] = [JUDGED, TABLE, PAGE, PARETO, STABILITY];
 
 /// indicatif draws on stderr, and only on a terminal.
 pub(crate) fn bar(name: &'static str, total: u64) -> ProgressBar {
@@ -29,7 +36,7 @@ pub(crate) fn bar(name: &'static str, total: u64) -> ProgressBar {
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
-    output::check(&args.out)?;
+    let mut folder = Folder::check(&args.out, FILES)?;
     let scipy = scipy::read(&args.out.join("scipy.csv"))?;
     let judged = our_errors(args)?;
     let mut all = Counted::new();
@@ -64,24 +71,23 @@ pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     progress.finish_and_clear();
 
     let rows = rows(&list, counts, &times, &own, &judged);
-    let mut staging = output::Staging::new(&args.out)?;
-    staging.add(judged::FILE.to_owned(), &judged::to_json(&judged)?)?;
-    staging.add("accuracy_cost.csv".to_owned(), &csv(&rows)?)?;
+    folder.add(JUDGED, judged::to_json(&judged)?);
+    folder.add(TABLE, csv(&rows)?);
     let about = page::About {
         machine: Machine::here(),
         generator: [generator[0], generator[1]],
         skipped: skipped.clone(),
     };
     let text = page::markdown(&rows, &judged, scipy.as_ref(), &about)?;
-    staging.add("accuracy_cost.md".to_owned(), &text)?;
+    folder.add(PAGE, text);
     match &skipped {
-        Some(reason) => eprintln!("SKIPPED: instructions and accuracy_cost.svg: {reason}"),
-        None => staging.add("accuracy_cost.svg".to_owned(), &pareto::draw(&rows)?)?,
+        Some(reason) => warn(format_args!("SKIPPED: instructions and {PARETO}: {reason}")),
+        None => folder.add(PARETO, pareto::draw(&rows)?),
     }
     let picture = stability::draw(&list, &everywhere, &judged.errors, scipy.as_ref())?;
-    staging.add("stability.svg".to_owned(), &picture)?;
-    staging.publish()?;
-    println!("Wrote {}", args.out.join("accuracy_cost.md").display());
+    folder.add(STABILITY, picture);
+    folder.publish()?;
+    say(format_args!("Wrote {}", args.out.join(PAGE).display()));
     Ok(())
 }
 

@@ -15,6 +15,7 @@ use ask::{Asked, Device, Host};
 use expected::Expected;
 use indicatif::ProgressBar;
 use kit::Stream;
+use output::say;
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -66,7 +67,7 @@ pub(crate) fn run(options: &Hashes, report: &mut Report) -> Result<()> {
             let outcome = compare(options, number, &Host { number }, &expected, &bar(jobs));
             report.outcome(&format!("host: hashes of {number}"), outcome);
         }
-        println!("host: {:.0} s", start.elapsed().as_secs_f64());
+        say(format_args!("host: {:.0} s", start.elapsed().as_secs_f64()));
     }
     let boards: Vec<&Board> = BOARDS.iter().filter(|b| wanted(b.name)).collect();
     let bar = bar(jobs * boards.len() as u64);
@@ -119,7 +120,12 @@ fn on_board(
         } else {
             "different"
         };
-        bar.suspend(|| println!("{}: {number}: {said} after {seconds:.0} s", board.name));
+        let name = board.name;
+        bar.suspend(|| {
+            say(format_args!(
+                "{name}: {number}: {said} after {seconds:.0} s"
+            ))
+        });
         outcome
     };
     Ok(types(options).map(|number| (number, one(number))).collect())

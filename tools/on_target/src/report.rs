@@ -1,6 +1,7 @@
 //! What was compared, what failed and what was skipped.
 
 use crate::failure::Result;
+use output::say;
 use std::process::ExitCode;
 
 /// Counts of outcomes, printed as they come.
@@ -15,13 +16,13 @@ impl Report {
     /// Something was as it should be.
     pub(crate) fn pass(&mut self, what: &str) {
         self.passed += 1;
-        println!("ok: {what}");
+        say(format_args!("ok: {what}"));
     }
 
     /// Something was not.
     pub(crate) fn fail(&mut self, what: &str) {
         self.failed += 1;
-        println!("FAILED: {what}");
+        say(format_args!("FAILED: {what}"));
     }
 
     /// Passes or fails.
@@ -35,7 +36,7 @@ impl Report {
     /// This machine cannot do it.
     pub(crate) fn skip(&mut self, reason: &str) {
         self.skipped += 1;
-        println!("SKIPPED: {reason}");
+        say(format_args!("SKIPPED: {reason}"));
     }
 
     /// The last lines, and the exit code: skipping is no failure.
@@ -48,11 +49,13 @@ impl Report {
             failed,
             skipped,
         } = self;
-        println!("{passed} passed, {failed} failed, {skipped} skipped");
-        if failed == 0 {
-            ExitCode::SUCCESS
-        } else {
-            ExitCode::FAILURE
-        }
+        say(format_args!(
+            "{passed} passed, {failed} failed, {skipped} skipped"
+        ));
+        let done = match failed {
+            0 => Ok(()),
+            _ => Err(format!("{failed} failed")),
+        };
+        output::exit_code("on_target", done)
     }
 }

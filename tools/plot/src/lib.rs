@@ -1,7 +1,6 @@
-//! Figures, and the files that studies write.
+//! Figures.
 
 pub mod axis;
 pub mod canvas;
 pub mod label;
-pub mod output;
 pub mod panel;

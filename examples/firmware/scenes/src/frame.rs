@@ -20,11 +20,13 @@ fn shaded<S: Small>(scene: &Scene<S::World>, at: (u16, u16)) -> Pixel<f32> {
 }
 
 /// What is kept of a pixel, with names.
-fn parts(pixel: &Pixel<f32>) -> [(&'static str, &Rgb<f32>); 3] {
+fn parts(pixel: &Pixel<f32>) -> [(&'static str, &Rgb<f32>); 5] {
     [
         ("first", &pixel.first),
         ("sum", &pixel.sum),
         ("squares", &pixel.squares),
+        ("sum_rest", &pixel.rests[0]),
+        ("squares_rest", &pixel.rests[1]),
     ]
 }
 

@@ -3,6 +3,10 @@
 use crate::{Aim, Effects, Meter, Number, Place, Rgb, Sampling, Scene, Vector, radiance};
 
 /// Sums of a pixel's samples, relative to the first: equal samples have a variance of exactly 0.
+///
+/// Each sum carries what rounding left of it (Kahan): it is right to 2u, and u²n of its terms' sizes, which at
+/// the most samples is still below 2u in the narrowest type. A plain sum would lose its digits as it grows.
+/// Source: W. Kahan, *Further remarks on reducing truncation errors*, 1965.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pixel<T> {
     /// How many samples.
@@ -13,6 +17,17 @@ pub struct Pixel<T> {
     pub sum: Rgb<T>,
     /// Sum of their squares.
     pub squares: Rgb<T>,
+    /// What is to be added to `sum` and to `squares`.
+    pub rests: [Rgb<T>; 2],
+}
+
+/// `sum` + `rest` becomes `sum` + `rest` + x.
+#[inline(always)]
+fn add<T: Number>(sum: &mut T, rest: &mut T, x: T) {
+    let x = x + *rest;
+    let next = *sum + x;
+    *rest = x - (next - *sum);
+    *sum = next;
 }
 
 impl<T: Number> Pixel<T> {
@@ -22,10 +37,11 @@ impl<T: Number> Pixel<T> {
         if self.count == 0 {
             self.first = sample;
         }
+        let [rests, rests_of_squares] = &mut self.rests;
         for (c, &x) in sample.iter().enumerate() {
             let d = x - self.first[c];
-            self.sum[c] = self.sum[c] + d;
-            self.squares[c] = self.squares[c] + d * d;
+            add(&mut self.sum[c], &mut rests[c], d);
+            add(&mut self.squares[c], &mut rests_of_squares[c], d * d);
         }
         self.count += 1;
     }
@@ -52,17 +68,35 @@ impl<T: Number> Pixel<T> {
         pixel
     }
 
+    /// The same in `f64`, each sum in one number.
+    pub fn wide(&self) -> Pixel<f64> {
+        let whole = |sum: Rgb<T>, rest: Rgb<T>| -> Rgb<f64> {
+            core::array::from_fn(|c| {
+                let (sum, rest): (f64, f64) = (sum[c].into(), rest[c].into());
+                // An overflow leaves no rest.
+                if rest.is_finite() { sum + rest } else { sum }
+            })
+        };
+        Pixel {
+            count: self.count,
+            first: self.first.map(Into::into),
+            sum: whole(self.sum, self.rests[0]),
+            squares: whole(self.squares, self.rests[1]),
+            rests: [[0.0; 3]; 2],
+        }
+    }
+
     /// The mean, in `f64`.
     pub fn mean(&self) -> Rgb<f64> {
-        let n = f64::from(self.count);
-        core::array::from_fn(|c| self.first[c].into() + self.sum[c].into() / n)
+        let (wide, n) = (self.wide(), f64::from(self.count));
+        core::array::from_fn(|c| wide.first[c] + wide.sum[c] / n)
     }
 
     /// Variance of one sample, in `f64`; 0 of fewer than two.
     pub fn variance(&self) -> Rgb<f64> {
-        let n = f64::from(self.count);
+        let (wide, n) = (self.wide(), f64::from(self.count));
         core::array::from_fn(|c| {
-            let (sum, squares): (f64, f64) = (self.sum[c].into(), self.squares[c].into());
+            let (sum, squares) = (wide.sum[c], wide.squares[c]);
             let variance = (squares - sum * sum / n) / (n - 1.0);
             if variance > 0.0 { variance } else { 0.0 }
         })

@@ -11,6 +11,10 @@ use coslobe::{CosSin, Fast, Precise, Real, Tails};
 pub trait Number: Real + Into<f64> {
     /// π.
     const PI: Self;
+    /// Half the distance from 1 to the next number: the relative error of one operation.
+    const ROUNDING: Self;
+    /// Whether the laws' pairs are unit vectors to fewer digits than geometry needs.
+    const IS_COARSE: bool = false;
     /// The number nearest to `x`.
     fn from_f64(x: f64) -> Self;
     /// The number nearest to `x`, without `f64` arithmetic.
@@ -41,6 +45,7 @@ pub trait Number: Real + Into<f64> {
 
 impl Number for f32 {
     const PI: f32 = core::f32::consts::PI;
+    const ROUNDING: f32 = f32::EPSILON / 2.0;
     #[inline(always)]
     fn from_f64(x: f64) -> f32 {
         x as f32
@@ -73,6 +78,7 @@ impl Number for f32 {
 
 impl Number for f64 {
     const PI: f64 = core::f64::consts::PI;
+    const ROUNDING: f64 = f64::EPSILON / 2.0;
     #[inline(always)]
     fn from_f64(x: f64) -> f64 {
         x
@@ -105,6 +111,8 @@ impl Number for f64 {
 
 impl Number for Fast<f32> {
     const PI: Self = Fast(core::f32::consts::PI);
+    const ROUNDING: Self = Fast(<f32 as Number>::ROUNDING);
+    const IS_COARSE: bool = true;
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Fast(x as f32)
@@ -137,6 +145,7 @@ impl Number for Fast<f32> {
 
 impl Number for Precise<f32> {
     const PI: Self = Precise(core::f32::consts::PI);
+    const ROUNDING: Self = Precise(<f32 as Number>::ROUNDING);
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Precise(x as f32)
@@ -198,6 +207,11 @@ pub(crate) fn int<T: Number>(n: i16) -> T {
 #[inline(always)]
 pub(crate) fn abs<T: Number>(x: T) -> T {
     x.abs()
+}
+/// The smaller of the two.
+#[inline(always)]
+pub(crate) fn least<T: Number>(a: T, b: T) -> T {
+    if a < b { a } else { b }
 }
 /// |x| with the sign of `sign`.
 #[inline(always)]

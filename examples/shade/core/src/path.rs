@@ -1,7 +1,7 @@
 //! The integrator: one path, and of each effect only what is on.
 
 use crate::effect::{Diffuse, Gloss, Lobe, Onward, isotropic, lamp, scattered_at, sun};
-use crate::number::{abs, copysign, infinity, one, zero};
+use crate::number::{abs, infinity, one, zero};
 use crate::start::{Aim, start};
 use crate::vector::{plus, tint};
 use crate::{Effect, Effects, Hit, Meter, Place, Ray, Rgb, Sampling, Scene, Target, Vector};
@@ -23,8 +23,8 @@ pub(crate) struct Path<'s, V: Vector, E, L, M> {
     pub(crate) density: V::T,
 }
 
-/// Where a path is scattered: the position, the surface, and how.
-type Vertex<'s, V> = (V, Target, Lobe<'s, V>);
+/// Where a path is scattered, and how.
+pub(crate) type Vertex<'s, V> = (V, Lobe<'s, V>);
 
 /// Radiance of one sample of a pixel.
 ///
@@ -106,7 +106,11 @@ impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
             self.meter.run(Effect::Absorption);
             self.throughput = fog.absorbed(at.unwrap_or(length), self.throughput);
         }
-        at.map(|at| (ray.at(near + at), Target::NONE, Lobe::Isotropic))
+        at.map(|at| {
+            let at = ray.at(near + at);
+            let at = self.scene.kept(ray.origin, at, Target::NONE);
+            (at, Lobe::Isotropic)
+        })
     }
 
     /// What the ray met: its light, and how it is scattered there.
@@ -133,8 +137,6 @@ impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
             return None;
         }
         let (position, normal) = self.scene.surface(ray, hit)?;
-        let cos = normal.dot(ray.direction);
-        let normal = normal.scale(copysign(one(), -cos));
         let is_glossy = self.e.on(Effect::Gloss)
             && if self.e.on(Effect::Mix) {
                 material.chooses_gloss(self.place, self.bounce, self.meter)
@@ -142,6 +144,7 @@ impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
                 material.share != 0
             };
         let lobe = if is_glossy {
+            let cos = normal.dot(ray.direction);
             Lobe::Gloss(Gloss {
                 normal,
                 mirror: ray.direction.along(normal, abs(cos + cos)),
@@ -155,7 +158,7 @@ impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
         } else {
             return None;
         };
-        Some((position, hit.target, lobe))
+        Some((position, lobe))
     }
 
     /// The light that sun and lamps send to the vertex directly.
@@ -173,7 +176,7 @@ impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
 
     /// The ray that goes on from the vertex.
     #[inline(always)]
-    fn onward(&mut self, (position, from, lobe): &Vertex<'s, V>) -> Option<Ray<V>> {
+    fn onward(&mut self, (position, lobe): &Vertex<'s, V>) -> Option<Ray<V>> {
         let with_density = self.e.on(Effect::Lamp);
         let (place, bounce) = (self.place, self.bounce);
         let onward = match lobe {
@@ -186,17 +189,16 @@ impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
             _ => isotropic(Effect::Scattering, place, bounce, self.meter),
         };
         self.bounce += 1;
-        Some(self.follow(onward, *position, *from))
+        Some(self.follow(onward, *position))
     }
 
     #[inline(always)]
-    pub(crate) fn follow(&mut self, onward: Onward<V>, origin: V, from: Target) -> Ray<V> {
+    pub(crate) fn follow(&mut self, onward: Onward<V>, origin: V) -> Ray<V> {
         self.throughput = tint(self.throughput, onward.weight);
         self.density = onward.density;
         Ray {
             origin,
             direction: onward.direction,
-            from,
         }
     }
 

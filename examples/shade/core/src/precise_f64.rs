@@ -5,6 +5,7 @@ use coslobe::Precise;
 
 impl Number for Precise<f64> {
     const PI: Self = Precise(core::f64::consts::PI);
+    const ROUNDING: Self = Precise(<f64 as Number>::ROUNDING);
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Precise(x)

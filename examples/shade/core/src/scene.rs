@@ -1,6 +1,7 @@
 //! What a scene holds, and which effects it calls for.
 
 use crate::effect::{Combine, Fog, Lamp, Sky, Sun};
+use crate::geometry::size;
 use crate::number::zero;
 use crate::{Effect, Effects, Hit, Material, Plate, Ray, Rgb, Set, Sphere, Target, Vector};
 use heapless::Vec;
@@ -118,19 +119,10 @@ impl<V: Vector> Scene<V> {
     pub(crate) fn nearest<E: Effects>(&self, e: E, ray: &Ray<V>) -> Hit<V::T> {
         let mut hit = Hit::nothing();
         for (i, sphere) in self.spheres.iter().enumerate() {
-            let target = Target::sphere(i);
-            let t = if ray.from == target {
-                sphere.hit_again(ray)
-            } else {
-                sphere.hit(ray)
-            };
-            hit.nearer(t, target);
+            hit.nearer(sphere.hit(ray), Target::sphere(i));
         }
         for (i, plate) in self.plates.iter().enumerate() {
-            let target = Target::plate(i);
-            if ray.from != target {
-                hit.nearer(plate.hit(ray), target);
-            }
+            hit.nearer(plate.hit(ray), Target::plate(i));
         }
         if e.on(Effect::Lamp) {
             for (i, lamp) in self.lamps.iter().enumerate() {
@@ -143,20 +135,10 @@ impl<V: Vector> Scene<V> {
     /// Whether nothing but `except` lies within `t`.
     #[inline(always)]
     pub(crate) fn is_clear<E: Effects>(&self, e: E, ray: &Ray<V>, t: V::T, except: Target) -> bool {
-        for (i, sphere) in self.spheres.iter().enumerate() {
-            let met = if ray.from == Target::sphere(i) {
-                sphere.hit_again(ray)
-            } else {
-                sphere.hit(ray)
-            };
-            if met < t {
-                return false;
-            }
-        }
-        for (i, plate) in self.plates.iter().enumerate() {
-            if ray.from != Target::plate(i) && plate.hit(ray) < t {
-                return false;
-            }
+        if self.spheres.iter().any(|sphere| sphere.hit(ray) < t)
+            || self.plates.iter().any(|plate| plate.hit(ray) < t)
+        {
+            return false;
         }
         if e.on(Effect::Lamp) {
             for (i, lamp) in self.lamps.iter().enumerate() {
@@ -180,18 +162,50 @@ impl<V: Vector> Scene<V> {
         self.materials.get(usize::from(material))
     }
 
-    /// (the point, the unit normal) of a sphere or plate that was hit.
+    /// (the point, the unit normal) of a sphere or plate that was hit, both on the side that the ray comes
+    /// from: the point lies off the surface as far as rounding reaches, and is [`kept`](Scene::kept).
     #[inline(always)]
     pub fn surface(&self, ray: &Ray<V>, hit: Hit<V::T>) -> Option<(V, V)> {
         let p = ray.at(hit.t);
         let i = hit.target.index();
-        Some(if hit.target.is_plate() {
-            let plate = self.plates.get(i)?;
-            (plate.onto(p), plate.normal)
+        let (p, normal) = if hit.target.is_plate() {
+            self.plates.get(i)?.vertex(ray.origin, p)
         } else {
-            let sphere = self.spheres.get(i)?;
-            let normal = p.sub(sphere.centre).unit();
-            (sphere.centre.along(normal, sphere.radius), normal)
-        })
+            self.spheres.get(i)?.vertex(ray, p)
+        };
+        Some((self.kept(ray.origin, p, hit.target), normal))
+    }
+
+    /// A point that a ray from `from` led to, on the same side as `from` of all that it did not pass: what is
+    /// so near that rounding may have taken the point through it pushes it back. `of` has done so already.
+    #[inline(always)]
+    pub fn kept(&self, from: V, mut p: V, mut of: Target) -> V {
+        let size = size(from, p);
+        // In a sharp corner one push may undo another; each round leaves less of that, and these are enough
+        // down to corners of 5°.
+        for _ in 0..16 {
+            let mut is_done = true;
+            for (i, plate) in self.plates.iter().enumerate() {
+                if of == Target::plate(i) {
+                    continue;
+                }
+                if let Some(kept) = plate.kept(from, p, size) {
+                    (p, is_done) = (kept, false);
+                }
+            }
+            for (i, sphere) in self.spheres.iter().enumerate() {
+                if of == Target::sphere(i) {
+                    continue;
+                }
+                if let Some(kept) = sphere.kept(from, p, size) {
+                    (p, is_done) = (kept, false);
+                }
+            }
+            if is_done {
+                break;
+            }
+            of = Target::NONE;
+        }
+        p
     }
 }

@@ -3,7 +3,7 @@
 use crate::effect::{Lobe, isotropic, through_lens, through_pixel};
 use crate::number::{half, int};
 use crate::path::Path;
-use crate::{Camera, Effect, Effects, Hit, Meter, Ray, Sampling, Scene, Target, Vector};
+use crate::{Camera, Effect, Effects, Hit, Meter, Ray, Sampling, Scene, Vector};
 
 /// What all samples of a pixel have in common.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,6 @@ fn ray<V: Vector>(camera: &Camera<V>, origin: V, right: V::T, up: V::T) -> Ray<V
     Ray {
         origin,
         direction: direction.along(camera.up, up).unit(),
-        from: Target::NONE,
     }
 }
 
@@ -109,8 +108,8 @@ fn probe<V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
     path: &mut Path<'_, V, E, L, M>,
     point: V,
 ) -> Ray<V> {
-    path.direct(&(point, Target::NONE, Lobe::Isotropic));
+    path.direct(&(point, Lobe::Isotropic));
     let onward = isotropic(Effect::Camera, path.place, 0, path.meter);
     path.bounce = 1;
-    path.follow(onward, point, Target::NONE)
+    path.follow(onward, point)
 }

@@ -34,7 +34,7 @@ pub trait Vector: Copy + Send + Sync + core::fmt::Debug + 'static {
 
     /// Density of light reflected by a white diffuse surface, f·cos θ: cos θ/π or cos θ/2.
     fn diffuse_density(cos: Self::T) -> Self::T;
-    /// (cos θ, sin θ, 1/density) of a direction towards a sphere seen under sin² of its half angle = `s2`:
+    /// (cos θ, sin θ, density) of a direction towards a sphere seen under sin² of its half angle = `s2`:
     /// by solid angle in space, by the sine in flatland, which needs no arcsine.
     fn cone<R: Words>(s2: Self::T, rng: &mut R) -> (CosSin<Self::T>, Self::T);
     /// Density of [`cone`](Vector::cone) at cos θ.
@@ -64,6 +64,15 @@ pub trait Vector: Copy + Send + Sync + core::fmt::Debug + 'static {
     #[inline(always)]
     fn unit(self) -> Self {
         self.scale(one::<Self::T>() / self.dot(self).root())
+    }
+    /// A direction that was drawn, as a unit vector.
+    #[inline(always)]
+    fn drawn(self) -> Self {
+        if Self::T::IS_COARSE {
+            self.unit()
+        } else {
+            self
+        }
     }
     /// The height of a direction, which skies are graded by.
     #[inline(always)]
@@ -109,12 +118,13 @@ impl<T: Number> Vector for [T; 3] {
         let u = T::tails(rng);
         let azimuth = T::azimuth(rng);
         let sin = T::int(2) * (u.lower() * u.upper()).root();
-        [sin * azimuth.cos, u.upper() - u.lower(), sin * azimuth.sin]
+        [sin * azimuth.cos, u.upper() - u.lower(), sin * azimuth.sin].drawn()
     }
     #[inline(always)]
     fn around<R: Words>(self, at: CosSin<T>, rng: &mut R) -> Self {
         let azimuth = T::azimuth(rng);
-        Frame::from_unit(self).to_world([at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin])
+        let local = [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin];
+        Frame::from_unit(self).to_world(local).drawn()
     }
     #[inline(always)]
     fn diffuse_density(cos: T) -> T {
@@ -129,7 +139,7 @@ impl<T: Number> Vector for [T; 3] {
             cos: T::ONE - depth,
             sin: (depth * (T::int(2) - depth)).root(),
         };
-        (at, T::int(2) * T::PI * height)
+        (at, T::ONE / (T::int(2) * T::PI * height))
     }
     #[inline(always)]
     fn cone_density(s2: T, _: T) -> T {
@@ -167,12 +177,12 @@ impl<T: Number> Vector for [T; 2] {
     #[inline(always)]
     fn isotropic<R: Words>(rng: &mut R) -> Self {
         let turn = T::azimuth(rng);
-        [turn.cos, turn.sin]
+        [turn.cos, turn.sin].drawn()
     }
     #[inline(always)]
     fn around<R: Words>(self, at: CosSin<T>, _: &mut R) -> Self {
         let [x, y] = self;
-        [x * at.cos + y * at.sin, y * at.cos - x * at.sin]
+        [x * at.cos + y * at.sin, y * at.cos - x * at.sin].drawn()
     }
     #[inline(always)]
     fn diffuse_density(cos: T) -> T {
@@ -184,11 +194,19 @@ impl<T: Number> Vector for [T; 2] {
         let s = s2.root();
         let u = T::tails(rng);
         let sin = s * (u.lower() - u.upper());
-        let cos = (T::ONE - sin * sin).root();
-        (CosSin { cos, sin }, T::int(2) * s / cos)
+        // Rounding may take the sine of nearly a half turn beyond 1.
+        let square = (T::ONE - sin) * (T::ONE + sin);
+        let cos = if square > T::ZERO {
+            square.root()
+        } else {
+            T::ZERO
+        };
+        (CosSin { cos, sin }, Self::cone_density(s2, cos))
     }
     #[inline(always)]
     fn cone_density(s2: T, cos: T) -> T {
+        // Nor does a ray that met the sphere lean away from it, but for rounding.
+        let cos = if cos > T::ZERO { cos } else { T::ZERO };
         cos / (T::int(2) * s2.root())
     }
 }

@@ -30,7 +30,7 @@ pub fn parse(name: &str, text: &str) -> Result<Raw, Error> {
             name,
             text,
             0..0,
-            format!("{} bytes; expected at most {BYTES}", text.len()),
+            format!("longer than the most, {BYTES} bytes"),
         ));
     }
     let raw: Raw = toml::from_str(text).map_err(|e| Error::of_toml(name, text, &e))?;

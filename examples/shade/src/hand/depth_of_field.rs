@@ -22,7 +22,6 @@ pub fn depth_of_field(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> 
     let ray = Ray {
         origin: eye.along(camera.up, v * camera.lens),
         direction: direction.along(camera.up, y).unit(),
-        from: Target::NONE,
     };
     let hit = nearest(scene, &ray);
     if hit.target == Target::NONE {
@@ -35,13 +34,12 @@ pub fn depth_of_field(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> 
     if !material.is_diffuse {
         return light;
     }
-    let Some((origin, normal, _, _)) = surface(scene, &ray, hit) else {
+    let Some((origin, normal, _)) = surface(scene, &ray, hit) else {
         return light;
     };
     let on = Ray {
         origin,
         direction: diffuse(normal, place, 0).1,
-        from: hit.target,
     };
     let met = nearest(scene, &on);
     let shine = if met.target == Target::NONE {

@@ -21,7 +21,6 @@ fn around(origin: [f32; 2], place: Place) -> Ray<[f32; 2]> {
     Ray {
         origin,
         direction: Vector::isotropic(&mut Stream::new(place, 0, Effect::Camera, 1, &mut ())),
-        from: Target::NONE,
     }
 }
 
@@ -48,13 +47,7 @@ fn diffuse(normal: [f32; 2], place: Place, bounce: u32) -> (CosSin<f32>, [f32; 2
 pub fn flat_lamp(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
     let p = <[f32; 2]>::isotropic_density();
     let probe = point(scene, at, place);
-    let mut light = direct(
-        scene,
-        probe,
-        Target::NONE,
-        |_| Some(([p; 3], p)),
-        (place, 0),
-    );
+    let mut light = direct(scene, probe, |_| Some(([p; 3], p)), (place, 0));
     let ray = around(probe, place);
     let hit = nearest(scene, &ray);
     if let Some(shine) = met(scene, &ray, hit.t, p) {
@@ -63,18 +56,14 @@ pub fn flat_lamp(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
     if hit.target == Target::NONE {
         return light;
     }
-    let Some((origin, normal, _, material)) = surface(scene, &ray, hit) else {
+    let Some((origin, normal, material)) = surface(scene, &ray, hit) else {
         return light;
     };
     let reflected = lambertian(normal, material.diffuse);
-    let shine = direct(scene, origin, hit.target, reflected, (place, 1));
+    let shine = direct(scene, origin, reflected, (place, 1));
     light = plus(light, [1.0; 3], shine);
     let (at, direction) = diffuse(normal, place, 1);
-    let on = Ray {
-        origin,
-        direction,
-        from: hit.target,
-    };
+    let on = Ray { origin, direction };
     let next = nearest(scene, &on);
     match met(scene, &on, next.t, CircleShell.density(at)) {
         Some(shine) => plus(light, material.diffuse, shine),
@@ -84,14 +73,13 @@ pub fn flat_lamp(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
 
 /// `light` that comes to `origin` from the sun.
 #[inline(always)]
-fn sunlight(scene: &Flat, origin: [f32; 2], from: Target, reflected: Option<[f32; 3]>) -> [f32; 3] {
+fn sunlight(scene: &Flat, origin: [f32; 2], reflected: Option<[f32; 3]>) -> [f32; 3] {
     let Some(reflected) = reflected else {
         return [0.0; 3];
     };
     let ray = Ray {
         origin,
         direction: scene.sun.towards,
-        from,
     };
     if is_clear(scene, &ray, f32::INFINITY) {
         core::array::from_fn(|i| reflected[i] * scene.sun.irradiance[i])
@@ -104,7 +92,7 @@ fn sunlight(scene: &Flat, origin: [f32; 2], from: Target, reflected: Option<[f32
 pub fn flat_bounces(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
     let probe = point(scene, at, place);
     let p = <[f32; 2]>::isotropic_density();
-    let mut light = sunlight(scene, probe, Target::NONE, Some([p; 3]));
+    let mut light = sunlight(scene, probe, Some([p; 3]));
     let (mut ray, mut throughput) = (around(probe, place), [1.0; 3]);
     let limit = u32::from(scene.bounces);
     for bounce in 1..=limit + 1 {
@@ -115,22 +103,19 @@ pub fn flat_bounces(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
         if bounce == limit + 1 {
             break;
         }
-        let Some((origin, normal, cos, material)) = surface(scene, &ray, hit) else {
+        let Some((origin, normal, material)) = surface(scene, &ray, hit) else {
             break;
         };
         let direction;
         if material.share != 0 {
+            let cos = normal.dot(ray.direction);
             let mirror = ray.direction.along(normal, (cos + cos).abs());
             let (cos, p) = (
                 normal.dot(scene.sun.towards),
                 material.lobe.density_of(mirror, scene.sun.towards),
             );
             let reflected = (cos > 0.0 && p > 0.0).then(|| material.gloss.map(|r| r * (cos * p)));
-            light = plus(
-                light,
-                throughput,
-                sunlight(scene, origin, hit.target, reflected),
-            );
+            light = plus(light, throughput, sunlight(scene, origin, reflected));
             let mut no_meter = ();
             let mut words = words(place, bounce, Effect::Gloss, &mut no_meter);
             (_, direction) = Sampling::<[f32; 2]>::draw(&material.lobe, mirror, &mut words);
@@ -141,19 +126,11 @@ pub fn flat_bounces(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
             throughput = core::array::from_fn(|i| throughput[i] * (material.gloss[i] * cos));
         } else {
             let reflected = lambertian(normal, material.diffuse)(scene.sun.towards).map(|r| r.0);
-            light = plus(
-                light,
-                throughput,
-                sunlight(scene, origin, hit.target, reflected),
-            );
+            light = plus(light, throughput, sunlight(scene, origin, reflected));
             (_, direction) = diffuse(normal, place, bounce);
             throughput = core::array::from_fn(|i| throughput[i] * material.diffuse[i]);
         }
-        ray = Ray {
-            origin,
-            direction,
-            from: hit.target,
-        };
+        ray = Ray { origin, direction };
     }
     light
 }

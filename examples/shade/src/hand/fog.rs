@@ -9,11 +9,10 @@ type Space = Scene<[f32; 3]>;
 
 /// `light` that comes to `origin` from the sun.
 #[inline(always)]
-fn sunlight(scene: &Space, origin: [f32; 3], from: Target, reflected: [f32; 3]) -> [f32; 3] {
+fn sunlight(scene: &Space, origin: [f32; 3], reflected: [f32; 3]) -> [f32; 3] {
     let ray = Ray {
         origin,
         direction: scene.sun.towards,
-        from,
     };
     if !is_clear(scene, &ray, f32::INFINITY) {
         return [0.0; 3];
@@ -49,12 +48,9 @@ pub fn fog(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
             core::array::from_fn(|i| throughput[i] * libm::expf(-(fog.absorption[i] * length)));
         if is_scattered {
             let p = <[f32; 3]>::isotropic_density();
-            let origin = ray.at(near + length);
-            light = plus(
-                light,
-                throughput,
-                sunlight(scene, origin, Target::NONE, [p; 3]),
-            );
+            let at = ray.at(near + length);
+            let origin = scene.kept(ray.origin, at, Target::NONE);
+            light = plus(light, throughput, sunlight(scene, origin, [p; 3]));
             if is_last {
                 break;
             }
@@ -63,19 +59,14 @@ pub fn fog(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
             ray = Ray {
                 origin,
                 direction: Vector::isotropic(&mut words),
-                from: Target::NONE,
             };
             continue;
         }
-        let Some((origin, normal, _, material)) = surface(scene, &ray, hit) else {
+        let Some((origin, normal, material)) = surface(scene, &ray, hit) else {
             break;
         };
         if let Some((reflected, _)) = lambertian(normal, material.diffuse)(scene.sun.towards) {
-            light = plus(
-                light,
-                throughput,
-                sunlight(scene, origin, hit.target, reflected),
-            );
+            light = plus(light, throughput, sunlight(scene, origin, reflected));
         }
         if is_last {
             break;
@@ -84,7 +75,6 @@ pub fn fog(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
         ray = Ray {
             origin,
             direction: diffuse(normal, place, bounce).1,
-            from: hit.target,
         };
     }
     light

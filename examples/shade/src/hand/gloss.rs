@@ -22,22 +22,19 @@ pub fn gloss(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] 
         if bounce == limit {
             break;
         }
-        let Some((origin, normal, cos, material)) = surface(scene, &ray, hit) else {
+        let Some((origin, normal, material)) = surface(scene, &ray, hit) else {
             break;
         };
-        let (from, when) = (hit.target, (place, bounce));
+        let when = (place, bounce);
         let direction;
         if material.share != 0 {
+            let cos = normal.dot(ray.direction);
             let mirror = ray.direction.along(normal, (cos + cos).abs());
             let reflected = |d: [f32; 3]| {
                 let (cos, p) = (normal.dot(d), material.lobe.density_of(mirror, d));
                 (cos > 0.0 && p > 0.0).then(|| (material.gloss.map(|r| r * (cos * p)), p))
             };
-            light = plus(
-                light,
-                throughput,
-                direct(scene, origin, from, reflected, when),
-            );
+            light = plus(light, throughput, direct(scene, origin, reflected, when));
             let mut no_meter = ();
             let mut words = words(place, bounce, Effect::Gloss, &mut no_meter);
             let at;
@@ -50,21 +47,13 @@ pub fn gloss(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] 
             throughput = core::array::from_fn(|i| throughput[i] * (material.gloss[i] * cos));
         } else {
             let reflected = super::lamp::lambertian(normal, material.diffuse);
-            light = plus(
-                light,
-                throughput,
-                direct(scene, origin, from, reflected, when),
-            );
+            light = plus(light, throughput, direct(scene, origin, reflected, when));
             let at;
             (at, direction) = diffuse(normal, place, bounce);
             density = Lambert.density(at);
             throughput = core::array::from_fn(|i| throughput[i] * material.diffuse[i]);
         }
-        ray = Ray {
-            origin,
-            direction,
-            from,
-        };
+        ray = Ray { origin, direction };
     }
     light
 }

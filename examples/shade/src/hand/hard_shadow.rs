@@ -12,7 +12,7 @@ pub fn hard_shadow(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f3
     if hit.target == Target::NONE {
         return black;
     }
-    let Some((origin, normal, _, material)) = surface(scene, &ray, hit) else {
+    let Some((origin, normal, material)) = surface(scene, &ray, hit) else {
         return black;
     };
     let direction = scene.sun.towards;
@@ -20,11 +20,7 @@ pub fn hard_shadow(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f3
     if !(cos > 0.0) {
         return black;
     }
-    let shadow = Ray {
-        origin,
-        direction,
-        from: hit.target,
-    };
+    let shadow = Ray { origin, direction };
     if !is_clear(scene, &shadow, f32::INFINITY) {
         return black;
     }

@@ -25,7 +25,6 @@ pub(super) fn lambertian(
 pub(super) fn direct<V: Vector<T = f32>>(
     scene: &Scene<V>,
     origin: V,
-    from: Target,
     reflected: impl Fn(V) -> Option<([f32; 3], f32)>,
     (place, bounce): (Place, u32),
 ) -> [f32; 3] {
@@ -40,23 +39,22 @@ pub(super) fn direct<V: Vector<T = f32>>(
     let axis = to.scale(1.0 / distance);
     let mut no_meter = ();
     let mut words = words(place, bounce, Effect::Lamp, &mut no_meter);
-    let (at, measure) = V::cone(s2, &mut words);
+    let (at, own) = V::cone(s2, &mut words);
     let direction = axis.around(at, &mut words);
     let Some((reflected, p)) = reflected(direction) else {
         return black;
     };
+    if !(own > 0.0) {
+        return black;
+    }
     let across = distance * at.sin;
     let half = lamp.shape.radius * lamp.shape.radius - across * across;
     let t = distance * at.cos - if half > 0.0 { libm::sqrtf(half) } else { 0.0 };
-    let shadow = Ray {
-        origin,
-        direction,
-        from,
-    };
+    let shadow = Ray { origin, direction };
     if !is_clear(scene, &shadow, t) {
         return black;
     }
-    let k = measure * balance_heuristic(1.0 / measure, p);
+    let k = balance_heuristic(own, p) / own;
     core::array::from_fn(|i| reflected[i] * (lamp.radiance[i] * k))
 }
 
@@ -96,14 +94,12 @@ fn bounces(scene: &Space, at: (u16, u16), place: Place, limit: u32) -> [f32; 3] 
         if hit.target == Target::NONE || bounce == limit {
             break;
         }
-        let Some((origin, normal, _, material)) = surface(scene, &ray, hit) else {
+        let Some((origin, normal, material)) = surface(scene, &ray, hit) else {
             break;
         };
-        let from = hit.target;
         let shine = direct(
             scene,
             origin,
-            from,
             lambertian(normal, material.diffuse),
             (place, bounce),
         );
@@ -111,11 +107,7 @@ fn bounces(scene: &Space, at: (u16, u16), place: Place, limit: u32) -> [f32; 3] 
         let (at, direction) = diffuse(normal, place, bounce);
         density = Lambert.density(at);
         throughput = core::array::from_fn(|i| throughput[i] * material.diffuse[i]);
-        ray = Ray {
-            origin,
-            direction,
-            from,
-        };
+        ray = Ray { origin, direction };
     }
     light
 }

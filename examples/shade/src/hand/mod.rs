@@ -61,7 +61,6 @@ fn pinhole(scene: &Scene<[f32; 3]>, (x, y): (f32, f32)) -> Ray<[f32; 3]> {
             .along(camera.right, x)
             .along(camera.up, y)
             .unit(),
-        from: Target::NONE,
     }
 }
 
@@ -70,21 +69,10 @@ fn pinhole(scene: &Scene<[f32; 3]>, (x, y): (f32, f32)) -> Ray<[f32; 3]> {
 fn nearest<V: Vector<T = f32>>(scene: &Scene<V>, ray: &Ray<V>) -> Hit<f32> {
     let mut hit = Hit::nothing();
     for (i, sphere) in scene.spheres.iter().enumerate() {
-        let target = Target::sphere(i);
-        hit.nearer(
-            if ray.from == target {
-                sphere.hit_again(ray)
-            } else {
-                sphere.hit(ray)
-            },
-            target,
-        );
+        hit.nearer(sphere.hit(ray), Target::sphere(i));
     }
     for (i, plate) in scene.plates.iter().enumerate() {
-        let target = Target::plate(i);
-        if ray.from != target {
-            hit.nearer(plate.hit(ray), target);
-        }
+        hit.nearer(plate.hit(ray), Target::plate(i));
     }
     hit
 }
@@ -92,35 +80,20 @@ fn nearest<V: Vector<T = f32>>(scene: &Scene<V>, ray: &Ray<V>) -> Hit<f32> {
 /// Whether no sphere or plate is nearer than `t`.
 #[inline(always)]
 fn is_clear<V: Vector<T = f32>>(scene: &Scene<V>, ray: &Ray<V>, t: f32) -> bool {
-    for (i, sphere) in scene.spheres.iter().enumerate() {
-        let met = if ray.from == Target::sphere(i) {
-            sphere.hit_again(ray)
-        } else {
-            sphere.hit(ray)
-        };
-        if met < t {
-            return false;
-        }
-    }
-    for (i, plate) in scene.plates.iter().enumerate() {
-        if ray.from != Target::plate(i) && plate.hit(ray) < t {
-            return false;
-        }
-    }
-    true
+    scene.spheres.iter().all(|sphere| !(sphere.hit(ray) < t))
+        && scene.plates.iter().all(|plate| !(plate.hit(ray) < t))
 }
 
-/// (the point, the normal on the side that is seen, its cosine, the material) of what was hit.
+/// (the point, the normal on the side that is seen, the material) of what was hit.
 #[inline(always)]
 fn surface<'s, V: Vector<T = f32>>(
     scene: &'s Scene<V>,
     ray: &Ray<V>,
     hit: Hit<f32>,
-) -> Option<(V, V, f32, &'s Material<V>)> {
+) -> Option<(V, V, &'s Material<V>)> {
     let material = scene.material(hit.target)?;
     let (p, normal) = scene.surface(ray, hit)?;
-    let cos = normal.dot(ray.direction);
-    Some((p, normal.scale(1f32.copysign(-cos)), cos, material))
+    Some((p, normal, material))
 }
 
 /// a + b·c.

@@ -30,13 +30,12 @@ fn one_bounce(scene: &Space, ray: &Ray<[f32; 3]>, hit: Hit<f32>, place: Place) -
     if hit.target == Target::NONE {
         return sky(scene, ray.direction);
     }
-    let Some((origin, normal, _, material)) = surface(scene, ray, hit) else {
+    let Some((origin, normal, material)) = surface(scene, ray, hit) else {
         return black;
     };
     let on = Ray {
         origin,
         direction: diffuse(normal, place, 0).1,
-        from: hit.target,
     };
     if nearest(scene, &on).target == Target::NONE {
         plus(black, material.diffuse, sky(scene, on.direction))

@@ -4,10 +4,11 @@ mod draw;
 mod page;
 mod sheet;
 
-use crate::image::{write_png, write_whole};
+use crate::image::write_png;
 use coslobe::{Fast, Precise};
 use draw::{Means, halved, median, passes, reference, rmse, worse_than};
 use indicatif::{ProgressBar, ProgressStyle};
+use output::{File, plain, say};
 use shade::file::{Raw, scene};
 use shade_core::{Number, Scene, Set};
 use std::error::Error;
@@ -81,6 +82,9 @@ pub(crate) fn run(raw: &Raw, path: &Path, out: &Path) -> Result<(), Box<dyn Erro
         )
         .into());
     }
+    let [picture, text] = ["png", "md"].map(|kind| out.with_extension(kind));
+    let picture = File::check(&picture, &[path])?;
+    let text = File::check(&text, &[path])?;
     let mut exact = prepared::<f64>(raw).ok_or_else(space)?;
     // One set for all: what a type's rounding makes of a parameter must not change it.
     let set = exact.called_for();
@@ -105,7 +109,7 @@ pub(crate) fn run(raw: &Raw, path: &Path, out: &Path) -> Result<(), Box<dyn Erro
     let exposure = raw.image.exposure.as_ref().map_or(1.0, |e| *e.get_ref());
     let (gains, sheet) = sheet::sheet(&studies, &converged, (width, height), exposure);
     let page = page::page(&page::Facts {
-        title: &raw.title,
+        title: &plain(&raw.title),
         path,
         out,
         size: (width, height),
@@ -114,14 +118,9 @@ pub(crate) fn run(raw: &Raw, path: &Path, out: &Path) -> Result<(), Box<dyn Erro
         gains: &gains,
     });
     let (columns, lines) = sheet::LAYOUT;
-    write_png(
-        &out.with_extension("png"),
-        width * columns,
-        height * lines,
-        &sheet,
-    )?;
-    write_whole(&out.with_extension("md"), page.as_bytes())?;
-    println!("{page}");
+    write_png(&picture, width * columns, height * lines, &sheet)?;
+    text.write(page.as_bytes())?;
+    say(page);
     Ok(())
 }
 

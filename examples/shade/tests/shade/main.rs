@@ -2,13 +2,16 @@
 //! check is given planted faults, and has to reject them.
 
 mod bad_scenes;
+mod contact;
 mod effects;
 mod fog;
 mod form_factors;
 mod furnace;
 mod golden;
 mod mutants;
+mod numbers;
 mod shadows;
 mod stage;
+mod sums;
 mod variance;
 mod words;

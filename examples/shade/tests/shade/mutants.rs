@@ -77,7 +77,7 @@ impl Vector for Askew {
         Space::diffuse_density(cos)
     }
     fn cone<R: Words>(s2: f64, rng: &mut R) -> (CosSin<f64>, f64) {
-        (Space::cone(s2, rng).0, core::f64::consts::PI * s2)
+        (Space::cone(s2, rng).0, 1.0 / (core::f64::consts::PI * s2))
     }
     fn cone_density(s2: f64, cos: f64) -> f64 {
         Space::cone_density(s2, cos)

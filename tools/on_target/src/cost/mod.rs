@@ -22,7 +22,7 @@ use crate::report::Report;
 use crate::run::bar;
 use images::{SUBJECTS, compiler};
 use measure::Measured;
-use plot::output;
+use output::{Folder, say};
 use rayon::prelude::*;
 use study::Study;
 
@@ -36,7 +36,7 @@ pub(crate) fn run(options: &Cost, report: &mut Report) -> Result<()> {
     if options.check {
         return check::run(&options.out, report);
     }
-    output::check(&options.out).map_err(Failure)?;
+    let mut folder = Folder::check(&options.out, [CSV, PAGE, PLOT]).map_err(Failure)?;
     let study = Study::read(&options.out.join("accuracy_cost.csv"))?;
     let rustc = compiler()?;
     for board in &BOARDS {
@@ -67,16 +67,14 @@ pub(crate) fn run(options: &Cost, report: &mut Report) -> Result<()> {
         .collect();
     let rows: Vec<_> = all.iter().flat_map(|m| m.rows.iter().cloned()).collect();
     let goals = goals::all(&rows);
-    let mut staging = output::Staging::new(&options.out).map_err(Failure)?;
-    let mut add = |name: &str, text: &str| staging.add(name.to_owned(), text).map_err(Failure);
-    add(CSV, &row::csv(&rows).while_("writing the table")?)?;
+    folder.add(CSV, row::csv(&rows).while_("writing the table")?);
     let page = page::markdown(&all, &rows, &goals, &rustc).while_("writing the page")?;
-    add(PAGE, &page)?;
+    folder.add(PAGE, page);
     let plot = plots::draw(&rows).map_err(|e| Failure(format!("drawing: {e}")))?;
-    add(PLOT, &plot)?;
-    staging.publish().map_err(Failure)?;
+    folder.add(PLOT, plot);
+    folder.publish().map_err(Failure)?;
     for goal in &goals {
-        println!("{}", goal.line());
+        say(goal.line());
     }
     report.pass(&format!("{} rows of costs written", rows.len()));
     Ok(())

@@ -4,6 +4,7 @@ use crate::build::workspace;
 use crate::failure::{Failure, Result, While};
 use crate::types::TYPES;
 use kit::Stream;
+use output::{File, say};
 use std::fs;
 use std::path::PathBuf;
 
@@ -71,18 +72,19 @@ pub(super) fn parse(line: &str) -> Option<(&str, &str, Stream, u32)> {
 
 /// Writes the file anew.
 pub(super) fn write(of: impl Fn(&str, Stream) -> Result<String>) -> Result<()> {
+    let file = file();
+    let out = File::check(&file, &[]).map_err(Failure)?;
     let mut text = String::new();
     for number in TYPES {
         for stream in Stream::ALL {
             text += &of(number, stream)?;
         }
     }
-    let file = file();
-    fs::write(&file, text).while_(file.display())?;
-    println!(
+    out.write(text.as_bytes()).map_err(Failure)?;
+    say(format_args!(
         "wrote {}: mark the change \"value-breaking\"",
         file.display()
-    );
+    ));
     Ok(())
 }
 

@@ -3,7 +3,7 @@
 use crate::difference::first;
 use scenes::{HEIGHT, SAMPLES, WIDTH};
 
-const PARTS: [&str; 3] = ["first", "sum", "squares"];
+const PARTS: [&str; 5] = ["first", "sum", "squares", "sum_rest", "squares_rest"];
 const COLOURS: [&str; 3] = ["red", "green", "blue"];
 
 /// Instructions a sample, if the pixels are the same.
@@ -24,7 +24,7 @@ pub(super) fn compare(expected: &str, found: &str) -> Result<f64, String> {
     Ok(f64::from(count) / (f64::from(WIDTH) * f64::from(HEIGHT) * f64::from(SAMPLES)))
 }
 
-/// Which of a pixel's values differ, by two lines `scene (x, y): first r g b sum r g b squares r g b`.
+/// Which of a pixel's values differ, by two lines `scene (x, y): first r g b sum r g b …`.
 fn difference(expected: &str, found: &str) -> String {
     let split = |line: &str| -> Option<(String, Vec<String>)> {
         let (pixel, values) = line.split_once("): ")?;
@@ -34,7 +34,7 @@ fn difference(expected: &str, found: &str) -> String {
     match (split(expected), split(found)) {
         (Some((pixel, a)), Some((same, b))) if pixel == same && a.len() == b.len() => {
             let differs = (0..a.len()).find(|&i| a[i] != b[i]).unwrap_or(0);
-            let (part, colour) = (PARTS[differs / 3 % 3], COLOURS[differs % 3]);
+            let (part, colour) = (PARTS[differs / 3 % PARTS.len()], COLOURS[differs % 3]);
             let (a, b) = (&a[differs], &b[differs]);
             format!("{pixel}: {colour} of {part}: expected {a}, found {b}")
         }

@@ -4,6 +4,7 @@ use crate::build::root;
 use crate::difference::same;
 use crate::failure::{Failure, Result, While};
 use crate::report::Report;
+use output::{File, say};
 use shade_core::{Effect, Set};
 use std::fmt::Write;
 use std::fs;
@@ -73,8 +74,9 @@ fn page(rows: &[Row], compiler: &str) -> String {
 /// Writes the table.
 pub(super) fn write(rows: &[Row]) -> Result<()> {
     let page = page(rows, &compiler()?);
-    fs::write(path(), &page).while_(path().display())?;
-    println!("{page}wrote {}", path().display());
+    let out = File::check(&path(), &[]).map_err(Failure)?;
+    out.write(page.as_bytes()).map_err(Failure)?;
+    say(format_args!("{page}wrote {}", path().display()));
     Ok(())
 }
 

@@ -1,8 +1,7 @@
 //! Spherical lights: soft shadows by two strategies.
 
-use super::Lobe;
 use crate::number::{one, zero};
-use crate::path::Path;
+use crate::path::{Path, Vertex};
 use crate::vector::{dim, plus, tint};
 use crate::{Effect, Effects, Meter, Number, Ray, Rgb, Sampling, Sphere, Stream, Target, Vector};
 use coslobe::{CosSin, balance_heuristic, power_heuristic};
@@ -91,7 +90,7 @@ impl<V: Vector> Lamp<V> {
 #[inline(always)]
 pub(crate) fn scattered<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
     path: &mut Path<'s, V, E, L, M>,
-    (origin, from, lobe): &(V, Target, Lobe<'s, V>),
+    (origin, lobe): &Vertex<'s, V>,
 ) -> Rgb<V::T> {
     let scene = path.scene;
     let mut light = [zero(); 3];
@@ -106,23 +105,26 @@ pub(crate) fn scattered<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
         let axis = to.scale(one::<V::T>() / distance);
         let (part, bounce) = (i as u32, path.bounce);
         let mut words = Stream::new(path.place, bounce, Effect::Lamp, part, path.meter);
-        let (at, measure) = V::cone(s2, &mut words);
+        let (at, own) = V::cone(s2, &mut words);
         let direction = axis.around(at, &mut words);
         let Some((reflected, density)) = lobe.towards(path.law, direction) else {
             continue;
         };
+        // The very edge of flatland's half turn, which has no measure.
+        if !(own > zero()) {
+            continue;
+        }
         let ray = Ray {
             origin: *origin,
             direction,
-            from: *from,
         };
         path.meter.ray(Effect::Lamp);
         let t = near_side(lamp, distance, at);
         if !scene.is_clear(path.e, &ray, t, Target::lamp(i)) {
             continue;
         }
-        let share = scene.combine.sampled(one::<V::T>() / measure, density);
-        let arriving = tint(reflected, dim(lamp.radiance, measure * share));
+        let share = scene.combine.sampled(own, density);
+        let arriving = tint(reflected, dim(lamp.radiance, share / own));
         light = plus(light, scene.fog.veil(path.e, &ray, t, arriving));
     }
     light

@@ -1,8 +1,7 @@
 //! A light at infinity: hard shadows.
 
-use super::Lobe;
 use crate::number::{infinity, one, zero};
-use crate::path::Path;
+use crate::path::{Path, Vertex};
 use crate::vector::tint;
 use crate::{Effect, Effects, Meter, Ray, Rgb, Sampling, Target, Vector};
 
@@ -30,7 +29,7 @@ impl<V: Vector> Sun<V> {
 #[inline(always)]
 pub(crate) fn scattered<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
     path: &mut Path<'s, V, E, L, M>,
-    (origin, from, lobe): &(V, Target, Lobe<'s, V>),
+    (origin, lobe): &Vertex<'s, V>,
 ) -> Rgb<V::T> {
     path.meter.run(Effect::Sun);
     let (scene, black) = (path.scene, [zero(); 3]);
@@ -40,7 +39,6 @@ pub(crate) fn scattered<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
     let ray = Ray {
         origin: *origin,
         direction: scene.sun.towards,
-        from: *from,
     };
     path.meter.ray(Effect::Sun);
     let far = infinity();

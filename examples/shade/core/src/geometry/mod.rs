@@ -6,6 +6,7 @@ mod sphere;
 pub use plate::Plate;
 pub use sphere::Sphere;
 
+use crate::number::abs;
 use crate::{Number, Vector};
 
 /// What a ray met or leaves: an index over spheres, plates and lamps.
@@ -47,15 +48,56 @@ impl Target {
     }
 }
 
-/// A ray, which knows the surface that it leaves: no distance below which hits are not believed.
+/// A ray. One that leaves a surface starts as far off it as rounding can have moved its origin
+/// ([`Scene::surface`](crate::Scene::surface)): no distance below which hits are not believed.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray<V> {
     /// Where it starts.
     pub origin: V,
     /// A unit vector.
     pub direction: V,
-    /// What it leaves.
-    pub from: Target,
+}
+
+/// Bounds the rounding errors of a point `p` that a ray from `origin` led to, and of whether it lies
+/// before or behind a shape at `centre`, in the direction `n` from the shape.
+///
+/// To first order in the unit roundoff u: the distance at which the shape is met errs by 4u |n|·(|centre| +
+/// |origin|) and 4u |n|·|p − origin|, the point then by 2u |n|·(|p| + |origin|), its height over the shape when
+/// asked for again by 4u |n|·(|centre| + |p|), and what the scene's own rounding moves two shapes apart that
+/// should touch by 2u |n|·(|centre| + |p|). All together stay below 16u |n|·(|centre| + |origin| + |p|).
+#[inline(always)]
+fn reach<V: Vector>(n: V, centre: V, size: V) -> V::T {
+    let sizes = V::from_fn(|i| abs(centre.at(i)) + size.at(i));
+    V::from_fn(|i| abs(n.at(i))).dot(sizes) * reaches()
+}
+
+/// 16u.
+#[inline(always)]
+fn reaches<T: Number>() -> T {
+    T::int(16) * T::ROUNDING
+}
+
+/// How far behind a shape a point may be that should lie before it: rounding's `reach`, and twice that by
+/// which another shape has pushed it.
+#[inline(always)]
+fn pushed<T: Number>(reach: T) -> T {
+    T::int(3) * reach
+}
+
+/// |origin| + |p|, component by component.
+#[inline(always)]
+pub(crate) fn size<V: Vector>(origin: V, p: V) -> V {
+    V::from_fn(|i| abs(origin.at(i)) + abs(p.at(i)))
+}
+
+/// Sum of the components' sizes.
+#[inline(always)]
+fn sum<V: Vector>(v: V) -> V::T {
+    let mut sum = abs(v.at(0));
+    for i in 1..V::DIM {
+        sum = sum + abs(v.at(i));
+    }
+    sum
 }
 
 impl<V: Vector> Ray<V> {

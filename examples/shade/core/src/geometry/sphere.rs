@@ -1,7 +1,7 @@
 //! Spheres; in flatland circles.
 
-use super::Ray;
-use crate::number::{infinity, zero};
+use super::{Ray, pushed, reach, reaches, size, sum};
+use crate::number::{abs, half, infinity, least, one, zero};
 use crate::{Number, Vector};
 
 /// A sphere, solid or a hollow world seen from within.
@@ -16,49 +16,116 @@ pub struct Sphere<V: Vector> {
 }
 
 impl<V: Vector> Sphere<V> {
-    /// Distance of the closest approach, and the square of half the chord (≤ 0: missed).
+    /// Square of half the chord (≤ 0: missed) of a line at `to` from the centre, nearest to it at `middle`.
     #[inline(always)]
-    fn chord(&self, ray: &Ray<V>) -> (V::T, V::T) {
-        let to = self.centre.sub(ray.origin);
-        let middle = to.dot(ray.direction);
-        let across = to.along(ray.direction, -middle);
-        (middle, self.radius * self.radius - across.dot(across))
+    fn chord(&self, to: V, direction: V, middle: V::T) -> V::T {
+        let across = to.along(direction, -middle);
+        self.radius * self.radius - across.dot(across)
+    }
+
+    /// (distance from the centre)² − radius²: positive outside.
+    #[inline(always)]
+    fn power(&self, to: V) -> V::T {
+        to.dot(to) - self.radius * self.radius
     }
 
     /// Distance of the first hit, ∞ for none.
+    ///
+    /// Which root it is depends on nothing but the side that the ray starts on: from outside the nearer one,
+    /// if the ray comes closer at all, and from within the farther one, always.
     #[inline(always)]
     pub fn hit(&self, ray: &Ray<V>) -> V::T {
-        let (middle, square) = self.chord(ray);
-        if !(square > zero()) {
-            return infinity();
+        let none = infinity();
+        let to = self.centre.sub(ray.origin);
+        let (middle, power) = (to.dot(ray.direction), self.power(to));
+        let outside = power > zero();
+        if outside && !(middle > zero()) {
+            return none;
         }
-        let half = square.root();
-        let near = middle - half;
-        let far = middle + half;
-        if near > zero() {
-            near
-        } else if far > zero() {
-            far
+        let square = self.chord(to, ray.direction, middle);
+        if outside {
+            // Not middle − √square, which near the sphere could be negative.
+            return if square > zero() {
+                power / (middle + square.root())
+            } else {
+                none
+            };
+        }
+        let chord = if square > zero() {
+            square.root()
         } else {
-            infinity()
-        }
+            zero()
+        };
+        let far = middle + chord;
+        if far > zero() { far } else { zero() }
     }
 
-    /// [`hit`](Sphere::hit) of a ray that starts on this sphere: of its two roots one is 0.
+    /// (the point that `ray` met, put on the sphere and then off it, the unit normal on the side that the ray
+    /// comes from).
     #[inline(always)]
-    pub fn hit_again(&self, ray: &Ray<V>) -> V::T {
-        let middle = self.centre.sub(ray.origin).dot(ray.direction);
-        if middle > zero() {
-            middle + middle
+    pub(crate) fn vertex(&self, ray: &Ray<V>, p: V) -> (V, V) {
+        let out = p.sub(self.centre);
+        let square = out.dot(out);
+        // A sphere smaller than the grid of numbers at its place may be its centre and nothing else.
+        let normal = if square > zero() {
+            out.scale(one::<V::T>() / square.root())
         } else {
-            infinity()
+            ray.direction.scale(-one::<V::T>())
+        };
+        let (at, outside) = self.off(normal, ray.origin, size(ray.origin, p));
+        (
+            at,
+            if outside {
+                normal
+            } else {
+                normal.scale(-one::<V::T>())
+            },
+        )
+    }
+
+    /// (the point off the sphere in the direction `normal` from its centre, whether `from` is outside).
+    #[inline(always)]
+    fn off(&self, normal: V, from: V, size: V) -> (V, bool) {
+        let reach = reach(normal, self.centre, size) + reaches::<V::T>() * self.radius;
+        let off = reach + reach;
+        let outside = self.power(self.centre.sub(from)) > zero();
+        let at = if outside {
+            self.radius + off
+        } else {
+            self.radius - least(off, self.radius * half())
+        };
+        (self.centre.along(normal, at), outside)
+    }
+
+    /// `p` kept on the side that `from` is on, if it is so near that rounding may have taken it to the other.
+    #[inline(always)]
+    pub(crate) fn kept(&self, from: V, p: V, size: V) -> Option<V> {
+        let out = p.sub(self.centre);
+        let square = out.dot(out);
+        let radius = self.radius;
+        let most = pushed(reaches::<V::T>() * (sum(self.centre) + sum(size) + radius));
+        let power = square - radius * radius;
+        if !(abs(power) < most * (radius + radius + most) && square > zero()) {
+            return None;
         }
+        let distance = square.root();
+        let normal = out.scale(one::<V::T>() / distance);
+        let reach = reach(normal, self.centre, size) + reaches::<V::T>() * radius;
+        let outside = self.power(self.centre.sub(from)) > zero();
+        let height = if outside {
+            distance - radius
+        } else {
+            radius - distance
+        };
+        (height < reach && height > -pushed(reach)).then(|| self.off(normal, from, size).0)
     }
 
     /// Where the ray enters (≥ 0), and the length up to `t` within.
     #[inline(always)]
     pub fn span(&self, ray: &Ray<V>, t: V::T) -> (V::T, V::T) {
-        let (middle, square) = self.chord(ray);
+        let to = self.centre.sub(ray.origin);
+        let middle = to.dot(ray.direction);
+        let square = self.chord(to, ray.direction, middle);
         if !(square > zero()) {
             return (zero(), zero());
         }
