@@ -5,7 +5,7 @@ use super::direction::Azimuth;
 use crate::batch::{self, Batch, LengthError};
 use crate::number::Real;
 use crate::uniform::{TailBits, TurnBits};
-use crate::{Frame, Sample, Tails, uniform};
+use crate::{CosSin, Frame, Sample, Tails, uniform};
 use rand_core::{Rng, TryRng};
 
 /// Laws of a direction in space, uniform in azimuth.
