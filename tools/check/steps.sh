@@ -10,6 +10,7 @@ step lints                    quick clippy         clippy            lints
 step tests                    quick dev            -                 tests
 step boards-links             full  boards         $boards           on_target links
 step costs-host               full  release        valgrind?         costs_on_host
+step vectors                  full  release        valgrind          cargo run --release --quiet -p accuracy_cost -- vectors
 step boards-run               full  boards         $boards           on_target run
 step proofs                   full  proofs         provers           target/python/bin/python3 proofs/run
 step boards-cost              full  boards         $boards           on_target cost --check
