@@ -157,6 +157,7 @@ impl<T: Real> Planar<T> for CircleShell {
         let (p, is_upper) = T::nearer_from_bits(bits);
         T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || at_nearer(Holds::from_number(p), is_upper),
             #[inline(always)]
             || at_nearer(Holds::from_number(p), is_upper),

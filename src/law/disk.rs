@@ -171,6 +171,7 @@ impl<T: Real> Planar<T> for Disk {
         let u = T::tails_from_half(u);
         T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || shadow(Holds::from_tails(u), T::quick_turn_from_bits(phi)),
             #[inline(always)]
             || shadow(Holds::from_tails(u), T::accurate_turn_from_bits(phi)),

@@ -92,6 +92,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || [self.quick().pdf(Holds::from_number(theta))],
             #[inline(always)]
             || [self.accurate().pdf(Holds::from_number(theta))],
@@ -103,6 +104,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn ln_pdf(&self, theta: T) -> T {
         let [p] = T::rounded(
             Margin::OfOne,
+            #[inline(always)]
             || [self.quick().ln_pdf(Holds::from_number(theta))],
             #[inline(always)]
             || [self.accurate().ln_pdf(Holds::from_number(theta))],
@@ -114,6 +116,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn tails(&self, theta: T) -> Tails<T> {
         Tails::from_array(T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || self.quick().tails(Holds::from_number(theta)).to_array(),
             #[inline(always)]
             || self.accurate().tails(Holds::from_number(theta)).to_array(),
@@ -124,6 +127,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn density(&self, at: CosSin<T>) -> T {
         let [p] = T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || [self.quick().density(Holds::from_components(at))],
             #[inline(always)]
             || [self.accurate().density(Holds::from_components(at))],
@@ -135,6 +139,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn warp_tails(&self, p: Tails<T>) -> CosSin<T> {
         CosSin::from_array(T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || self.quick().warp_tails(Holds::from_tails(p)).to_array(),
             #[inline(always)]
             || self.accurate().warp_tails(Holds::from_tails(p)).to_array(),
@@ -145,6 +150,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn unwarp_tails(&self, at: CosSin<T>) -> Tails<T> {
         Tails::from_array(T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || {
                 self.quick()
                     .unwarp_tails(Holds::from_direction(at))
@@ -163,6 +169,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn warp_spherical(&self, p: Tails<T>, azimuth: Azimuth<T>) -> [T; 3] {
         T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || {
                 let at = self.quick().warp_tails(Holds::from_tails(p));
                 spherical(at, azimuth.quick())
@@ -180,6 +187,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn unwarp_spherical(&self, d: [T; 3]) -> [T; 2] {
         T::rounded(
             Margin::Unbounded,
+            #[inline(always)]
             || {
                 let (at, turn) = polar(d);
                 [self.quick().unwarp_tails(at).lower(), turn]
@@ -195,6 +203,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn quantile_tails(&self, p: Tails<T>) -> T {
         let [theta] = T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || [self.quick().quantile_tails(Holds::from_tails(p))],
             #[inline(always)]
             || [self.accurate().quantile_tails(Holds::from_tails(p))],
@@ -206,6 +215,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
     fn lambert_weight(&self, at: CosSin<T>) -> T {
         let [weight] = T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || [self.quick().lambert_weight(Holds::from_components(at))],
             #[inline(always)]
             || [self.accurate().lambert_weight(Holds::from_components(at))],
@@ -224,6 +234,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
 pub(crate) fn pdf_solid_angle<T: Real, L: Own + Phases<T>>(law: &L, theta: T) -> T {
     let [p] = T::rounded(
         Margin::Relative,
+        #[inline(always)]
         || [law.quick().density_at(Holds::from_number(theta))],
         || [law.accurate().density_at(Holds::from_number(theta))],
     );

@@ -88,6 +88,7 @@ pub trait Law<T: Real> {
     fn warp_spherical(&self, p: Tails<T>, azimuth: Azimuth<T>) -> [T; 3] {
         let azimuth = CosSin::from_array(T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || azimuth.quick().to_array(),
             #[inline(always)]
             || azimuth.accurate().to_array(),
@@ -102,6 +103,7 @@ pub trait Law<T: Real> {
         let sin = CosSin::hypot(d[0], d[2]);
         let [turn] = T::rounded(
             Margin::Unbounded,
+            #[inline(always)]
             || [polar::<T, T::Quick>(d).1],
             || [polar::<T, T::Accurate>(d).1],
         );
@@ -114,6 +116,7 @@ pub trait Law<T: Real> {
         let at = self.warp_tails(p);
         let [theta] = T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || [T::Quick::angle(Holds::from_components(at))],
             || [T::Accurate::angle(Holds::from_components(at))],
         );

@@ -199,6 +199,7 @@ impl<T: Real> Spatial<T> for SphereShell {
         let [u, v] = halves.map(T::tails_from_half);
         T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || {
                 let at = larger(Holds::from_tails(u), Holds::from_tails(v));
                 spherical(at, azimuth.quick())
@@ -219,6 +220,7 @@ impl<T: Real> Spatial<T> for SphereShell {
         let [u, v] = halves.map(T::tails_from_half);
         CosSin::from_array(T::rounded(
             Margin::Relative,
+            #[inline(always)]
             || larger(Holds::from_tails(u), Holds::from_tails(v)).to_array(),
             #[inline(always)]
             || larger(Holds::from_tails(u), Holds::from_tails(v)).to_array(),

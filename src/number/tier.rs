@@ -125,6 +125,7 @@ pub trait Tier: Scalar {
     fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self> {
         CosSin::from_array(Self::rounded(
             Margin::Relative,
+            #[inline(always)]
             || Self::quick_turn_from_bits(bits).to_array(),
             #[inline(always)]
             || Self::accurate_turn_from_bits(bits).to_array(),

@@ -204,4 +204,6 @@ const VECTORS: &[(&str, f64)] = &[
         92.8,
     ),
     ("CosPower(20) sample f32 sample_from_bits_slice, Avx2", 40.3),
+    ("Disk warp f32 slices, Compiled", 61.3),
+    ("Disk warp f32 slices, Avx2", 29.1),
 ];
