@@ -54,7 +54,8 @@ fn same<T: Number>(what: &str, found: &[T], expected: impl Iterator<Item = T>) {
 type Unary<L, T> = fn(&L, &[T], &mut [T]) -> Result<(), LengthError>;
 
 fn unary<T: Batch + Number, L: Law<T> + Named>(law: &L, width: &str) {
-    let all: [(&str, Unary<L, T>, fn(&L, T) -> T); 6] = [
+    type Scalar<L, T> = fn(&L, T) -> T;
+    let all: [(&str, Unary<L, T>, Scalar<L, T>); 6] = [
         ("pdf", L::pdf_slice, L::pdf),
         ("ln_pdf", L::ln_pdf_slice, L::ln_pdf),
         ("cdf", L::cdf_slice, L::cdf),

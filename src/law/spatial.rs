@@ -63,7 +63,7 @@ pub trait Spatial<T: Real>: Law<T> {
     /// let [mut x, mut y, mut z] = [[0.0f32; 100]; 3];
     /// Spatial::sample_slice(&Lambert, &mut rng, [&mut x, &mut y, &mut z])?;
     /// let mut again = rand_pcg::Pcg32::new(1, 1);
-    /// assert_eq!([x[0], y[0], z[0]], Lambert.sample(&mut again));
+    /// assert_eq!([x[0], y[0], z[0]], Spatial::<f32>::sample(&Lambert, &mut again));
     /// # Ok::<(), coslobe::LengthError>(())
     /// ```
     fn sample_slice<R: Rng + ?Sized>(

@@ -30,9 +30,9 @@ fn directions<T: Batch + Number, L: Spatial<T> + Named>(law: &L, width: &str) {
             Ok(())
         );
         let scalar: Vec<_> = (0..len).map(|i| law.warp_direction([u[i], v[i]])).collect();
-        for i in 0..3 {
+        for (i, out) in out.iter().enumerate() {
             let what = format!("{} {} direction {i}, {width}, {len}", L::ID.name(), T::NAME);
-            same(&what, &out[i], component(&scalar, i));
+            same(&what, out, component(&scalar, i));
         }
     }
 }
@@ -43,9 +43,9 @@ fn draws<T: Batch + Number, L: Spatial<T> + Named, R: Rng + Clone>(law: &L, rng:
         let mut out = empty(len);
         assert_eq!(law.sample_slice(&mut one, slices(&mut out)), Ok(()));
         let scalar: Vec<_> = (0..len).map(|_| law.sample(&mut other)).collect();
-        for i in 0..3 {
+        for (i, out) in out.iter().enumerate() {
             let what = format!("{} {} sample {i}, {width}, {len}", L::ID.name(), T::NAME);
-            same(&what, &out[i], component(&scalar, i));
+            same(&what, out, component(&scalar, i));
         }
         assert_eq!(
             one.next_u64(),
@@ -73,9 +73,9 @@ fn words<T: Batch + Number, L: Spatial<T> + Named>(
         let scalar: Vec<_> = (0..len)
             .map(|i| law.sample_from_bits(theta[i], phi[i]))
             .collect();
-        for i in 0..3 {
+        for (i, out) in out.iter().enumerate() {
             let what = format!("{} {} words {i}, {width}, {len}", L::ID.name(), T::NAME);
-            same(&what, &out[i], component(&scalar, i));
+            same(&what, out, component(&scalar, i));
         }
     }
 }

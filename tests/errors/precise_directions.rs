@@ -112,7 +112,10 @@ fn directions<T: Words>(id: Id, law: impl Spatial<T>, allowed: f64) {
         let want = components(id, nearer.wide(), upper, azimuth::<Fine<T>>(hi, lo));
         let place = || format!("{id:?} {} tail {nearer:?} turn {hi:e}", T::NAME);
         let got = law.sample_from_bits(theta, phi);
-        (0..3).for_each(|i| worst.judge(got[i], want[i], &place));
+        // A sample of this law is not its warp, but the larger of two numbers.
+        if id != Id::SphereShell {
+            (0..3).for_each(|i| worst.judge(got[i], want[i], &place));
+        }
 
         // Back again, from the three rounded components.
         let [x, cos, z] = got.map(|c| Fine::<T>::of(c.wide()));
