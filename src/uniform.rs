@@ -39,7 +39,8 @@ pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
 
 /// (cos φ, sin φ) of a uniform azimuth: the word n stands for n + ½ parts of the whole turn.
 ///
-/// Never on an axis; in 32 bits the words beside a diagonal round to it (`f32`: 128 words in all, such as
+/// Never on an axis; in 32 bits the words beside a diagonal round to it (`f32`: 128 words in all,
+/// such as
 /// 0x1ffffff0; `Precise<f32>`: 136; `f64`: none). Error of each component: 2.302 ulp for `f32`
 /// (exhaustive, worst word 0x150de96f), 2.222 ulp for `f64` (observed, 10⁶ words, worst
 /// 0xab03af3e485dfc88).

@@ -121,9 +121,9 @@
 //!
 //! # Recipes
 //!
-//! Results are as near as the tables above say; there is no rounding mode to choose. Conversions are
-//! the `fixed` crate's: from a float to the nearest, from a longer number down, and what does not fit
-//! **panics** where overflow checks are on: 1 is no `U0F32` and no `I1F31`. Write
+//! Results are as near as the tables above say; there is no rounding mode to choose. Conversions
+//! are the `fixed` crate's: from a float to the nearest, from a longer number down, and what does
+//! not fit **panics** where overflow checks are on: 1 is no `U0F32` and no `I1F31`. Write
 //! `saturating_from_num`.
 //!
 //! ```

@@ -149,8 +149,9 @@ impl Point for CircleShell {
     }
 }
 
-/// With p the nearer tail, |sin θ| = 1 − 2p and cos²θ = 2p (1 + |sin θ|): the fewest operations that have all
-/// digits, for processors that must compute each.
+/// With p the nearer tail, |sin θ| = 1 − 2p and cos²θ = 2p (1 + |sin θ|): the fewest operations
+/// that
+/// have all digits, for processors that must compute each.
 impl<T: Real> Planar<T> for CircleShell {
     #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {

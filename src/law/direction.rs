@@ -1,4 +1,5 @@
-//! A direction's three components, rounded once: the product of two rounded numbers is no longer one.
+//! A direction's three components, rounded once: the product of two rounded numbers is no longer
+//! one.
 
 use crate::CosSin;
 use crate::arithmetic::holds::Holds;

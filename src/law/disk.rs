@@ -157,10 +157,11 @@ impl Point for Disk {
     }
 }
 
-/// The shadow of a direction of [`Lambert`](crate::Lambert)'s law on a plane through the normal: no equation is solved.
+/// The shadow of a direction of [`Lambert`](crate::Lambert)'s law on a plane through the normal: no
+/// equation is solved.
 ///
-/// Lambert's directions fall on the ground evenly over a disk, so that sin θ = √u cos φ; with 1 − u as its own tail,
-/// cos²θ = (1 − u) + u sin²φ has all digits at both ends.
+/// Lambert's directions fall on the ground evenly over a disk, so that sin θ = √u cos φ; with 1 − u
+/// as its own tail, cos²θ = (1 − u) + u sin²φ has all digits at both ends.
 impl<T: Real> Planar<T> for Disk {
     #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
@@ -179,7 +180,8 @@ impl<T: Real> Planar<T> for Disk {
     }
 }
 
-/// [sin θ, cos θ] of a point of the disk: the tails of its squared distance from the centre, and its azimuth.
+/// [sin θ, cos θ] of a point of the disk: the tails of its squared distance from the centre, and
+/// its azimuth.
 #[inline(always)]
 fn shadow<W: Kernel>(u: Tails<W>, phi: CosSin<W>) -> [W; 2] {
     let cos_squared = u.upper() + u.lower() * (phi.sin * phi.sin);

@@ -125,13 +125,15 @@ pub trait Law<T: Real> {
 
     /// P(Θ ≤ θ), azimuth integrated out. Keeps its relative accuracy towards 0.
     ///
-    /// Within its error it may step back: between neighbouring θ by up to 4 ulp, in `Precise` never.
+    /// Within its error it may step back: between neighbouring θ by up to 4 ulp, in `Precise`
+    /// never.
     #[inline]
     fn cdf(&self, theta: T) -> T {
         self.tails(theta).lower()
     }
 
-    /// P(Θ > θ) = 1 − cdf, with its own relative accuracy towards 0. Steps back as [`cdf`](Law::cdf).
+    /// P(Θ > θ) = 1 − cdf, with its own relative accuracy towards 0. Steps back as
+    /// [`cdf`](Law::cdf).
     #[inline]
     fn sf(&self, theta: T) -> T {
         self.tails(theta).upper()

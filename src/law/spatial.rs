@@ -121,7 +121,8 @@ pub trait Spatial<T: Real>: Law<T> {
     ///
     /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
     /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that loses digits and
-    /// may lose its sign, so that a direction beside the horizon can come out on the surface or below
+    /// may lose its sign, so that a direction beside the horizon can come out on the surface or
+    /// below
     /// it: weigh it by the cosine and density of
     /// [`sample_around_with_density`](Spatial::sample_around_with_density). Randomness as
     /// [`sample`](Spatial::sample).
@@ -180,6 +181,6 @@ pub trait Spatial<T: Real>: Law<T> {
         let [p, turn] = self.unwarp_spherical(d);
         // A negative turn smaller than half an ulp of 1 rounds to 1, which is 0 again.
         let turn = if turn >= T::ONE { T::ZERO } else { turn };
-        [p, turn.abs()]
+        [p.abs(), turn.abs()]
     }
 }

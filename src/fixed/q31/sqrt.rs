@@ -15,9 +15,10 @@ use crate::fixed::kernel::normal::{normal, normal_long};
 #[inline(always)]
 fn of_mantissa(m: u32, odd: u32) -> u32 {
     let r = RECIP_SQRT.at((!m) as i32) as u32; // Q14
-    let e = (1i32 << 30).wrapping_sub(mul_high(m, (r.wrapping_mul(r)) << 2) as i32); // 1 − m r² in Q30
-    let r =
-        (r << 3).wrapping_add_signed(((e >> 5).wrapping_mul(r as i32).wrapping_add(1 << 22)) >> 23); // Q17
+    // 1 − m r² in Q30.
+    let e = (1i32 << 30).wrapping_sub(mul_high(m, (r.wrapping_mul(r)) << 2) as i32);
+    let step = ((e >> 5).wrapping_mul(r as i32).wrapping_add(1 << 22)) >> 23;
+    let r = (r << 3).wrapping_add_signed(step); // Q17
     let r = r.wrapping_add(
         ((r.wrapping_mul(ROOT_TWO_LESS_ONE).wrapping_add(1 << 14)) >> 15) & odd.wrapping_neg(),
     );

@@ -6,9 +6,10 @@ use crate::arithmetic::fast::{angle, kepler, power, root};
 /// Nothing panics or leaves its range, whatever the input; NaN in, NaN out.
 #[test]
 fn total() {
-    let ones: [fn(f32) -> f32; 13] = [
+    let ones: [fn(f32) -> f32; 14] = [
         root::sqrt,
         root::cbrt,
+        root::fourth_root,
         power::ln,
         power::exp,
         power::one_minus_exp,
@@ -45,7 +46,7 @@ fn total() {
 #[test]
 fn special_values() {
     let inf = f32::INFINITY;
-    for f in [root::sqrt, root::cbrt] {
+    for f in [root::sqrt, root::cbrt, root::fourth_root] {
         assert_eq!((f(0.0), f(inf)), (0.0, inf));
         assert!(f(-0.0).is_sign_negative() && f(-1.0).is_nan() && f(-inf).is_nan());
         // Subnormals lie in order between 0 and the least normal number.

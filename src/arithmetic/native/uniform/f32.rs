@@ -47,7 +47,8 @@ fn summed(n: u64) -> f32 {
     (high + low) * unit
 }
 
-/// (2n + 1)·2⁻³³ for the lower 31 bits n, rounded to nearest: never zero; ½ is reached and not passed.
+/// (2n + 1)·2⁻³³ for the lower 31 bits n, rounded to nearest: never zero; ½ is reached and not
+/// passed.
 #[inline(always)]
 pub(crate) fn tail_of_half(n: u32) -> f32 {
     let odd = n << 1 | 1;

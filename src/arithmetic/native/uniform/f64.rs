@@ -48,7 +48,8 @@ fn summed(n: u128) -> f64 {
     (high + low) * unit
 }
 
-/// (2n + 1)·2⁻⁶⁵ for the lower 63 bits n, rounded to nearest: never zero; ½ is reached and not passed.
+/// (2n + 1)·2⁻⁶⁵ for the lower 63 bits n, rounded to nearest: never zero; ½ is reached and not
+/// passed.
 #[inline(always)]
 pub(crate) fn tail_of_half(n: u64) -> f64 {
     let odd = n << 1 | 1;
