@@ -55,7 +55,8 @@ type Unary<L, T> = fn(&L, &[T], &mut [T]) -> Result<(), LengthError>;
 
 fn unary<T: Batch + Number, L: Law<T> + Named>(law: &L, width: &str) {
     type Scalar<L, T> = fn(&L, T) -> T;
-    let all: [(&str, Unary<L, T>, Scalar<L, T>); 6] = [
+    type Row<L, T> = (&'static str, Unary<L, T>, Scalar<L, T>);
+    let all: [Row<L, T>; 6] = [
         ("pdf", L::pdf_slice, L::pdf),
         ("ln_pdf", L::ln_pdf_slice, L::ln_pdf),
         ("cdf", L::cdf_slice, L::cdf),

@@ -185,7 +185,7 @@ def drawing(number, law, rust, size, op):
     elif op == "sample_around":
         arguments = [(f"const {component} normal[3]", f"normal: *const [{r}; 3]"), rng, direction]
         normal = "normal" if number.name == "f32" else (
-            f"normal.map(|x| {number.new['component'].format('x')})")
+            f"normal.map({number.new['component'].removesuffix('({})')})")
         around = as_bits(traits("sample_around", f"{normal}, "))
         body = f"around(normal, rng, direction, |normal, words| {around})"
     elif op == "fill":

@@ -58,9 +58,10 @@ def absolute(name, unit):
 
 
 def relative(name):
-    worst = max(float(r["max_relative"]) for r in HOST
-                if r["name"] == name and r["law"] in SIX and r["max_relative"])
-    return f"relative {worst:.1e}, exhaustive"
+    worst = max((r for r in HOST if r["name"] == name and r["law"] in SIX and r["max_relative"]),
+                key=lambda r: float(r["max_relative"]))
+    how = "exhaustive" if worst["exhaustive"] == "true" else "observed"
+    return f"relative {float(worst['max_relative']):.1e}, {how}"
 
 
 TYPES = [

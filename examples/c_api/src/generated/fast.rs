@@ -384,7 +384,7 @@ pub unsafe extern "C" fn coslobe_ball_sample_around_fast(
 ) -> c_int {
     unsafe {
         around(normal, rng, direction, |normal, words| {
-            Spatial::sample_around(&Ball, normal.map(|x| Fast(x)), words).map(|x: Fast<f32>| x.0)
+            Spatial::sample_around(&Ball, normal.map(Fast), words).map(|x: Fast<f32>| x.0)
         })
     }
 }
@@ -526,8 +526,7 @@ pub unsafe extern "C" fn coslobe_sphere_shell_sample_around_fast(
 ) -> c_int {
     unsafe {
         around(normal, rng, direction, |normal, words| {
-            Spatial::sample_around(&SphereShell, normal.map(|x| Fast(x)), words)
-                .map(|x: Fast<f32>| x.0)
+            Spatial::sample_around(&SphereShell, normal.map(Fast), words).map(|x: Fast<f32>| x.0)
         })
     }
 }
@@ -669,7 +668,7 @@ pub unsafe extern "C" fn coslobe_lambert_sample_around_fast(
 ) -> c_int {
     unsafe {
         around(normal, rng, direction, |normal, words| {
-            Spatial::sample_around(&Lambert, normal.map(|x| Fast(x)), words).map(|x: Fast<f32>| x.0)
+            Spatial::sample_around(&Lambert, normal.map(Fast), words).map(|x: Fast<f32>| x.0)
         })
     }
 }
@@ -816,7 +815,7 @@ pub unsafe extern "C" fn coslobe_cos_power_sample_around_fast(
     unsafe {
         with(law, NULL_POINTER, |law| {
             around(normal, rng, direction, |normal, words| {
-                Spatial::sample_around(&law, normal.map(|x| Fast(x)), words).map(|x: Fast<f32>| x.0)
+                Spatial::sample_around(&law, normal.map(Fast), words).map(|x: Fast<f32>| x.0)
             })
         })
     }

@@ -294,7 +294,7 @@ pub unsafe extern "C" fn coslobe_ball_sample_around_q15(
     unsafe {
         around(normal, rng, direction, |normal, words| {
             Fixed16(Ball)
-                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .sample_around(normal.map(I1F15::from_bits), words)
                 .map(|x| x.to_bits())
         })
     }
@@ -416,7 +416,7 @@ pub unsafe extern "C" fn coslobe_sphere_shell_sample_around_q15(
     unsafe {
         around(normal, rng, direction, |normal, words| {
             Fixed16(SphereShell)
-                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .sample_around(normal.map(I1F15::from_bits), words)
                 .map(|x| x.to_bits())
         })
     }
@@ -538,7 +538,7 @@ pub unsafe extern "C" fn coslobe_lambert_sample_around_q15(
     unsafe {
         around(normal, rng, direction, |normal, words| {
             Fixed16(Lambert)
-                .sample_around(normal.map(|x| I1F15::from_bits(x)), words)
+                .sample_around(normal.map(I1F15::from_bits), words)
                 .map(|x| x.to_bits())
         })
     }

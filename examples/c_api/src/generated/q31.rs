@@ -304,7 +304,7 @@ pub unsafe extern "C" fn coslobe_ball_sample_around_q31(
     unsafe {
         around(normal, rng, direction, |normal, words| {
             Fixed(Ball)
-                .sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                .sample_around(normal.map(I1F31::from_bits), words)
                 .map(|x| x.to_bits())
         })
     }
@@ -426,7 +426,7 @@ pub unsafe extern "C" fn coslobe_sphere_shell_sample_around_q31(
     unsafe {
         around(normal, rng, direction, |normal, words| {
             Fixed(SphereShell)
-                .sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                .sample_around(normal.map(I1F31::from_bits), words)
                 .map(|x| x.to_bits())
         })
     }
@@ -548,7 +548,7 @@ pub unsafe extern "C" fn coslobe_lambert_sample_around_q31(
     unsafe {
         around(normal, rng, direction, |normal, words| {
             Fixed(Lambert)
-                .sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                .sample_around(normal.map(I1F31::from_bits), words)
                 .map(|x| x.to_bits())
         })
     }
@@ -674,7 +674,7 @@ pub unsafe extern "C" fn coslobe_cos_power_sample_around_q31(
     unsafe {
         with(law, NULL_POINTER, |law| {
             around(normal, rng, direction, |normal, words| {
-                law.sample_around(normal.map(|x| I1F31::from_bits(x)), words)
+                law.sample_around(normal.map(I1F31::from_bits), words)
                     .map(|x| x.to_bits())
             })
         })

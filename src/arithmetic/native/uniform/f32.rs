@@ -164,7 +164,7 @@ mod tests {
         for shift in 0..32 {
             for near in 0..1 << 10 {
                 same_half(near << shift);
-                same_half((1 << shift) - 1 ^ near);
+                same_half(((1 << shift) - 1) ^ near);
             }
         }
     }
