@@ -49,8 +49,8 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     if unusual(bits) {
         return of_unusual(x, sqrt, 1.0 / 4096.0);
     }
-    let n = (bits >> 23) + 127;
-    let part = 32768 + 13573 * (n & 1); // 2^(0, 1/2) in Q15
+    let n = (bits >> 23).wrapping_add(127);
+    let part = 13573u32.wrapping_mul(n & 1).wrapping_add(32768); // 2^(0, 1/2) in Q15
     assemble(bits, &SQRT, part, n >> 1)
 }
 
@@ -61,10 +61,12 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     if unusual(bits) {
         return of_unusual(x, cbrt, 1.0 / 256.0);
     }
-    let n = (bits >> 23) + 254;
-    let third = (n * 171) >> 9; // n / 3 for n ≤ 509
-    let rest = n - 3 * third;
-    let part = 32768 + rest * (7410 + 1107 * rest); // 2^(0, 1/3, 2/3) in Q15
+    let n = (bits >> 23).wrapping_add(254);
+    let third = n.wrapping_mul(171) >> 9; // n / 3 for n ≤ 509
+    let rest = n.wrapping_sub(third.wrapping_mul(3));
+    // 2^(0, 1/3, 2/3) in Q15.
+    let slope = rest.wrapping_mul(1107).wrapping_add(7410);
+    let part = rest.wrapping_mul(slope).wrapping_add(32768);
     assemble(bits, &CBRT, part, third)
 }
 
@@ -76,9 +78,11 @@ pub(crate) fn fourth_root(x: f32) -> f32 {
     if unusual(bits) {
         return of_unusual(x, fourth_root, 1.0 / 64.0);
     }
-    let n = (bits >> 23) + 381;
+    let n = (bits >> 23).wrapping_add(381);
     let rest = n & 3;
     // 2^(0, 1/4, 1/2, 3/4) in Q15.
-    let part = 32768 + ((rest * (11375 + rest * (951 + 74 * rest))) >> 1);
+    let bend = rest.wrapping_mul(74).wrapping_add(951);
+    let slope = rest.wrapping_mul(bend).wrapping_add(11375);
+    let part = (rest.wrapping_mul(slope) >> 1).wrapping_add(32768);
     assemble(bits, &FOURTH_ROOT, part, n >> 2)
 }

@@ -104,24 +104,28 @@ fn file(law: &str) -> String {
 }
 
 /// Kernels that only some samplers use, in any folder of kernels, and those laws.
-const KERNELS: [(&str, &[&str]); 8] = [
+const KERNELS: [(&str, &[&str]); 11] = [
     ("kepler", &["Disk"]),
     ("disk", &["Disk"]),
     ("cbrt", &["Disk", "SphereShell"]),
     ("power", &["CosPower"]),
     ("log_exp", &["CosPower"]),
     ("log", &["CosPower"]),
+    ("log2", &["CosPower"]),
+    ("exp2", &["CosPower"]),
+    ("tail_root", &["CosPower"]),
     ("atan", &[]),
     ("moment", &[]),
 ];
 
 /// One of these is in the sampler of the law.
 fn needs(law: &str, number: &str) -> &'static [&'static str] {
+    // Elsewhere both are made of two uniforms, without these kernels.
+    let one_uniform = number.starts_with("Fast");
     match law {
-        "Disk" => &["kepler", "disk"],
-        // In fixed point it is the largest of three words.
-        "SphereShell" if !in_integers(number) => &["cbrt", "root"],
-        "CosPower" => &["power", "log_exp", "log"],
+        "Disk" if one_uniform || in_integers(number) => &["kepler", "disk"],
+        "SphereShell" if one_uniform => &["cbrt", "root"],
+        "CosPower" => &["power", "log_exp", "log", "tail_root"],
         _ => &[],
     }
 }
