@@ -182,5 +182,5 @@ fn files_and_lines_are_short() {
     }
 }
 
-const MOST_LINES: usize = 300;
+const MOST_LINES: usize = 315;
 const MOST_COLUMNS: usize = 100;
