@@ -110,9 +110,12 @@ unoptimised() { # with overflow checks
   COSLOBE_LAST=1024 CARGO_PROFILE_DEV_OPT_LEVEL=0 hashes host "cargo test"
 }
 big_endian_in_qemu() { # all types
-  COSLOBE_LAST=16384 CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER=s390x-linux-gnu-gcc \
-    CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_RUNNER="qemu-s390x -L /usr/s390x-linux-gnu" \
-    hashes s390x "cargo test" --release --target s390x-unknown-linux-gnu
+  export CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER=s390x-linux-gnu-gcc
+  export CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_RUNNER="qemu-s390x -L /usr/s390x-linux-gnu"
+  COSLOBE_LAST=16384 hashes s390x "cargo test" --release --target s390x-unknown-linux-gnu -- --skip precise_f32
+  # Unoptimised: from opt-level 1 on Rust 1.95 compiles a density of this type for s390x to 1/128 of its value.
+  COSLOBE_LAST=1024 CARGO_PROFILE_RELEASE_OPT_LEVEL=0 hashes s390x-unoptimised "cargo test" --release \
+    --target s390x-unknown-linux-gnu -- --exact precise_f32_hashes
 }
 big_endian_in_miri() { # what it adds to QEMU: undefined behaviour in what the crate depends on
   COSLOBE_LAST=64 hashes miri "cargo +nightly miri test" --target s390x-unknown-linux-gnu -- --exact \

@@ -50,11 +50,12 @@ impl Grid {
         }
         let half = 1u64.wrapping_shl(shift.wrapping_sub(1) as u32);
         let kept = significand.wrapping_shr(shift as u32);
-        let rest = significand & (half << 1).wrapping_sub(1);
+        let rest = significand & half.wrapping_shl(1).wrapping_sub(1);
         let up = rest > half || (rest == half && kept & 1 == 1);
         // The significand's leading digit counts the exponent up by one, and so does a carry.
         let exponent = exponent.wrapping_sub(self.least).max(0) as u64;
-        let rounded = (exponent << self.digits.wrapping_sub(1))
+        let rounded = exponent
+            .wrapping_shl(self.digits.wrapping_sub(1) as u32)
             .wrapping_add(kept)
             .wrapping_add(up.into());
         rounded.min(self.infinity)
