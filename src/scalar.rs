@@ -49,11 +49,6 @@ pub trait Scalar:
     fn select(first: bool, a: Self, b: Self) -> Self {
         Self::swap_if_odd(u32::from(first), b, a).0
     }
-    /// (p, 1 − p), or (1 − p, p) if `swap`, for 0 ≤ p ≤ 1.
-    #[inline(always)]
-    fn and_complement(p: Self, swap: bool) -> (Self, Self) {
-        Self::swap_if_odd(u32::from(swap), p, Self::ONE - p)
-    }
     /// −self if n is odd.
     fn negate_if_odd(self, n: u32) -> Self;
     /// −self if `negative`.

@@ -37,7 +37,7 @@ impl<T: Scalar> Tails<T> {
     /// Nearer tail `p` ≤ ½, on the upper side or the lower.
     #[inline(always)]
     pub(crate) fn from_nearer(p: T, is_upper: bool) -> Self {
-        let (lower, upper) = T::and_complement(p, is_upper);
+        let (lower, upper) = T::swap_if_odd(u32::from(is_upper), p, T::ONE - p);
         Tails { lower, upper }
     }
 

@@ -65,17 +65,6 @@ impl Scalar for f32 {
         (f32::from_bits(a), f32::from_bits(b))
     }
 
-    /// On 64-bit processors by distances from 0 and 1, which keeps p out of the integer registers.
-    #[inline(always)]
-    fn and_complement(p: f32, swap: bool) -> (f32, f32) {
-        if cfg!(target_pointer_width = "64") {
-            let (from, to) = Self::swap_if_odd(u32::from(swap), 0.0, 1.0);
-            (f32::abs(p - from), f32::abs(p - to))
-        } else {
-            Self::swap_if_odd(u32::from(swap), p, 1.0 - p)
-        }
-    }
-
     #[inline(always)]
     fn negate_if_odd(self, n: u32) -> f32 {
         f32::from_bits(self.to_bits() ^ (n << (u32::BITS - 1)))

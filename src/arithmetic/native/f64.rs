@@ -58,17 +58,6 @@ impl Scalar for f64 {
         )
     }
 
-    /// On 64-bit processors by distances from 0 and 1, which keeps p out of the integer registers.
-    #[inline(always)]
-    fn and_complement(p: f64, swap: bool) -> (f64, f64) {
-        if cfg!(target_pointer_width = "64") {
-            let (from, to) = Self::swap_if_odd(u32::from(swap), 0.0, 1.0);
-            (f64::abs(p - from), f64::abs(p - to))
-        } else {
-            Self::swap_if_odd(u32::from(swap), p, 1.0 - p)
-        }
-    }
-
     #[inline(always)]
     fn negate_if_odd(self, n: u32) -> f64 {
         f64::from_bits(self.to_bits() ^ (u64::from(n) << (u64::BITS - 1)))

@@ -23,7 +23,8 @@ const M0: Board = Board {
     machine: "microbit",
     emulator: "qemu-system-arm",
     package: "qemu-system-arm",
-    options: &[],
+    // What no device has: images that hold all laws are linked for it (`large-flash`).
+    options: &["-global", "nrf51-soc.flash-size=1048576"],
     opt_level: Some("s"),
 };
 
@@ -34,6 +35,7 @@ pub(crate) const BOARDS: [Board; 4] = [
         name: "M3",
         target: "thumbv7m-none-eabi",
         machine: "mps2-an385",
+        options: &[],
         opt_level: None,
         ..M0
     },
@@ -41,6 +43,7 @@ pub(crate) const BOARDS: [Board; 4] = [
         name: "M4F",
         target: "thumbv7em-none-eabihf",
         machine: "mps2-an386",
+        options: &[],
         opt_level: None,
         ..M0
     },
