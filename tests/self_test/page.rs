@@ -51,7 +51,7 @@ fn page() -> String {
          Instructions beside those of each `f32` direction of `Lambert` itself, by QEMU (`cargo run --release \
          -p on_target -- self-test`, which compares them with these):\n\n\
          | board | instructions a sample |\n|---|--:|\n\
-         | M0 | 4650 |\n| M3 | 2610 |\n| M4F | 676 |\n| RV32IMC | 2592 |\n\n\
+         | M0 | 4650 |\n| M3 | 2610 |\n| M4F | 593 |\n| RV32IMC | 2592 |\n\n\
          Caught, of {SEEDS} seeds, by `Alarm::OneInBillion` after so many samples; faults of a generator in \
          `Lambert` directions of `f32`, three words each.\n"
     );

@@ -10,7 +10,7 @@ fn main() {
     let law = env::var("COSLOBE_LAW").unwrap_or("Lambert".to_owned());
     let number = env::var("COSLOBE_TYPE").unwrap_or("f32".to_owned());
     let subject = match law.as_str() {
-        "CosPower" if number == "Fixed" => "integers(power())".to_owned(),
+        "CosPower" if number == "Fixed" => "integers(kit::catalogue::power())".to_owned(),
         _ if number == "Fixed" => format!("integers({law})"),
         _ if number == "Fixed16" => format!("integers16({law})"),
         "Disk" | "CircleShell" | "CircleArc" => format!("planar::<_, {number}>({law})"),
