@@ -1,7 +1,8 @@
 //! What the command line may say.
 
 use clap::{Parser, Subcommand, ValueEnum};
-use shade::file::LawName;
+use coslobe::{Fast, Precise};
+use shade_core::{LawName, NumberVisitor};
 use std::path::PathBuf;
 
 /// Renders a scene, simulating only the effects that it calls for.
@@ -81,6 +82,18 @@ pub(crate) enum NumberName {
     F64,
     Fast,
     Precise,
+}
+
+impl NumberName {
+    /// Shows the type of this name.
+    pub(crate) fn show(self, visitor: &mut impl NumberVisitor) {
+        match self {
+            NumberName::F32 => visitor.number::<f32>(),
+            NumberName::F64 => visitor.number::<f64>(),
+            NumberName::Fast => visitor.number::<Fast<f32>>(),
+            NumberName::Precise => visitor.number::<Precise<f32>>(),
+        }
+    }
 }
 
 /// Share `index` (from 1) of `of`.

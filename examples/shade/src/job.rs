@@ -4,7 +4,7 @@ use crate::args::{Args, NumberName, Share, Task};
 use crate::image::Frame;
 use crate::tiles::{self, Frames, digest};
 use crate::{plan, render, table, types};
-use coslobe::{CircleShell, Fast, Lambert, Precise};
+use coslobe::{CircleShell, Lambert};
 use indicatif::{ProgressBar, ProgressStyle};
 use kit::study::count;
 use output::{File, plain, say};
@@ -12,7 +12,7 @@ use shade::cells::cells;
 use shade::file::{BYTES, Raw, World, parse, scene};
 use shade::sets::{Compiled, Job};
 use shade_core::effect::Lamp;
-use shade_core::{Asked, Effects, Sampling, Scene, Set, Vector};
+use shade_core::{Asked, Effects, Number, NumberVisitor, Sampling, Scene, Set, Vector};
 use std::error::Error;
 use std::fs;
 use std::io::Read;
@@ -62,12 +62,11 @@ fn image(args: &Args) -> Done<()> {
         (true, NumberName::F32) => {
             frame::<[f32; 2]>(&raw, args, |of, draw| apart(of, draw, CircleShell))
         }
-        (false, NumberName::F64) => frame::<[f64; 3]>(&raw, args, asked),
-        (true, NumberName::F64) => frame::<[f64; 2]>(&raw, args, asked),
-        (false, NumberName::Fast) => frame::<[Fast<f32>; 3]>(&raw, args, asked),
-        (true, NumberName::Fast) => frame::<[Fast<f32>; 2]>(&raw, args, asked),
-        (false, NumberName::Precise) => frame::<[Precise<f32>; 3]>(&raw, args, asked),
-        (true, NumberName::Precise) => frame::<[Precise<f32>; 2]>(&raw, args, asked),
+        (_, number) => {
+            let mut asking = Asking(&raw, args, Err("no number type".into()));
+            number.show(&mut asking);
+            asking.2
+        }
     }?;
     frame
         .check()
@@ -88,6 +87,20 @@ fn image(args: &Args) -> Done<()> {
     }
     say(format_args!("wrote {}", plain(out.display())));
     Ok(())
+}
+
+/// Draws the frame in any number type.
+struct Asking<'a>(&'a Raw, &'a Args, Done<Frame>);
+
+impl NumberVisitor for Asking<'_> {
+    fn number<T: Number>(&mut self) {
+        let Asking(raw, args, done) = self;
+        *done = if raw.flatland {
+            frame::<[T; 2]>(raw, args, asked)
+        } else {
+            frame::<[T; 3]>(raw, args, asked)
+        };
+    }
 }
 
 fn read(path: &Path) -> Done<(String, Raw)> {

@@ -1,9 +1,11 @@
 //! Random scenes for tests and fuzzing, whose numbers are those that go wrong: touching, nested, far off, tiny
 //! and huge.
 
-use crate::file::{LawName, World};
+use crate::file::World;
 use shade_core::effect::{Combine, Fog, Lamp, Sky, Sun};
-use shade_core::{Asked, Camera, Material, Number, Plate, Rgb, Scene, Sphere, Vector, pixel};
+use shade_core::{
+    Asked, Camera, LawName, Material, Number, Plate, Rgb, Scene, Sphere, Vector, pixel,
+};
 
 /// Makes choices: a number below that which it is given.
 pub trait Choose {
@@ -83,14 +85,9 @@ fn round<V: Vector>(choose: &mut impl Choose, known: &mut Vec<Round>, material: 
 
 fn law<V: World>(choose: &mut impl Choose) -> V::Law {
     let name = if V::DIM == 2 {
-        choose.of(&[LawName::CircleArc, LawName::CircleShell, LawName::Disk])
+        choose.of(&LawName::PLANAR)
     } else {
-        choose.of(&[
-            LawName::Lambert,
-            LawName::SphereShell,
-            LawName::Ball,
-            LawName::CosPower,
-        ])
+        choose.of(&LawName::SPATIAL)
     };
     let exponent = choose.of(&[0.0, 1e-6, 0.5, 1.0, 20.0, 1e6]);
     V::law(name, exponent).expect("a law of this world")

@@ -1,12 +1,9 @@
 //! The crate's laws as the shader uses them: to draw a direction around an axis, and its density there.
 
-use crate::number::zero;
+use crate::scalar::zero;
 use crate::{Number, Vector, Words};
 use core::fmt::Debug;
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial,
-    SphereShell,
-};
+use coslobe::{CosSin, Law, Planar, Spatial};
 
 /// A law that draws directions around an axis in the world of `V`.
 pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {
@@ -29,20 +26,6 @@ pub trait Reads {
     /// It is the law of diffuse reflection itself, whose samples all weigh 1.
     const DIFFUSE: bool = false;
 }
-
-impl Reads for Lambert {
-    const DIFFUSE: bool = true;
-}
-impl Reads for SphereShell {}
-impl Reads for Ball {}
-impl<T: Number> Reads for CosPower<T> {
-    const SINE: bool = true;
-}
-impl Reads for CircleShell {
-    const DIFFUSE: bool = true;
-}
-impl Reads for Disk {}
-impl Reads for CircleArc {}
 
 /// The pair of `d` around `axis`, as far as the law `L` reads it.
 #[inline(always)]
@@ -112,122 +95,5 @@ impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 
     }
     fn mean_cos(&self) -> T {
         self.moments().mean_cos
-    }
-}
-
-/// Any law of space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum AnySpatial<T: Number> {
-    /// cos θ.
-    Lambert,
-    /// cos²θ.
-    SphereShell,
-    /// cos³θ.
-    Ball,
-    /// cosᵏθ.
-    Power(CosPower<T>),
-}
-
-/// Any law of flatland.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AnyPlanar {
-    /// 1.
-    CircleArc,
-    /// cos θ.
-    CircleShell,
-    /// cos²θ.
-    Disk,
-}
-
-/// Each call is passed on to the law.
-impl<T: Number> Sampling<[T; 3]> for AnySpatial<T> {
-    #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
-        let u = T::tails(rng);
-        let at = match self {
-            Self::Lambert => Lambert.warp_tails(u),
-            Self::SphereShell => SphereShell.warp_tails(u),
-            Self::Ball => Ball.warp_tails(u),
-            Self::Power(law) => law.warp_tails(u),
-        };
-        (at, axis.around(at, rng))
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
-        match self {
-            Self::Lambert => Lambert.density(at),
-            Self::SphereShell => SphereShell.density(at),
-            Self::Ball => Ball.density(at),
-            Self::Power(law) => law.density(at),
-        }
-    }
-    #[inline(always)]
-    fn density_of(&self, axis: [T; 3], d: [T; 3]) -> T {
-        match self {
-            Self::Lambert => Lambert.density_of(axis, d),
-            Self::SphereShell => SphereShell.density_of(axis, d),
-            Self::Ball => Ball.density_of(axis, d),
-            Self::Power(law) => law.density_of(axis, d),
-        }
-    }
-    #[inline(always)]
-    fn diffuse_weight(&self, at: CosSin<T>) -> T {
-        match self {
-            Self::Lambert => Lambert.lambert_weight(at),
-            Self::SphereShell => SphereShell.lambert_weight(at),
-            Self::Ball => Ball.lambert_weight(at),
-            Self::Power(law) => law.lambert_weight(at),
-        }
-    }
-    fn mean_cos(&self) -> T {
-        match self {
-            Self::Lambert => Lambert.mean_cos(),
-            Self::SphereShell => SphereShell.mean_cos(),
-            Self::Ball => Ball.mean_cos(),
-            Self::Power(law) => law.mean_cos(),
-        }
-    }
-}
-
-impl<T: Number> Sampling<[T; 2]> for AnyPlanar {
-    #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
-        let u = T::tails(rng);
-        let at = match self {
-            Self::CircleArc => CircleArc.warp_tails(u),
-            Self::CircleShell => CircleShell.warp_tails(u),
-            Self::Disk => Disk.warp_tails(u),
-        };
-        (at, axis.around(at, rng))
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
-        match self {
-            Self::CircleArc => CircleArc.density(at),
-            Self::CircleShell => CircleShell.density(at),
-            Self::Disk => Disk.density(at),
-        }
-    }
-    #[inline(always)]
-    fn density_of(&self, axis: [T; 2], d: [T; 2]) -> T {
-        self.density_at(CosSin {
-            cos: axis.dot(d),
-            sin: T::ZERO,
-        })
-    }
-    #[inline(always)]
-    fn diffuse_weight(&self, at: CosSin<T>) -> T {
-        match self {
-            Self::CircleArc => CircleArc.lambert_weight(at),
-            Self::CircleShell => CircleShell.lambert_weight(at),
-            Self::Disk => Disk.lambert_weight(at),
-        }
-    }
-    fn mean_cos(&self) -> T {
-        match self {
-            Self::CircleArc => Sampling::<[T; 2]>::mean_cos(&CircleArc),
-            Self::CircleShell => Sampling::<[T; 2]>::mean_cos(&CircleShell),
-            Self::Disk => Sampling::<[T; 2]>::mean_cos(&Disk),
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! How a surface reflects and shines.
 
-use crate::number::{int, one, zero};
+use crate::scalar::{int, one, zero};
 use crate::{Effect, Meter, Number, Place, Rgb, Sampling, Stream, Vector, Words};
 
 /// How a surface reflects and shines.

@@ -9,6 +9,8 @@ use coslobe::{CosSin, Fast, Precise, Real, Tails};
 /// Geometry is computed in the format's own arithmetic whatever the tier: the tier decides how exact the
 /// laws are. Exponentials and logarithms (fog alone asks for them) are `libm`'s of the format.
 pub trait Number: Real + Into<f64> {
+    /// As in `coslobe`'s documentation.
+    const NAME: &'static str;
     /// π.
     const PI: Self;
     /// Half the distance from 1 to the next number: the relative error of one operation.
@@ -44,6 +46,7 @@ pub trait Number: Real + Into<f64> {
 }
 
 impl Number for f32 {
+    const NAME: &'static str = "f32";
     const PI: f32 = core::f32::consts::PI;
     const ROUNDING: f32 = f32::EPSILON / 2.0;
     #[inline(always)]
@@ -77,6 +80,7 @@ impl Number for f32 {
 }
 
 impl Number for f64 {
+    const NAME: &'static str = "f64";
     const PI: f64 = core::f64::consts::PI;
     const ROUNDING: f64 = f64::EPSILON / 2.0;
     #[inline(always)]
@@ -110,6 +114,7 @@ impl Number for f64 {
 }
 
 impl Number for Fast<f32> {
+    const NAME: &'static str = "Fast<f32>";
     const PI: Self = Fast(core::f32::consts::PI);
     const ROUNDING: Self = Fast(<f32 as Number>::ROUNDING);
     const IS_COARSE: bool = true;
@@ -144,6 +149,7 @@ impl Number for Fast<f32> {
 }
 
 impl Number for Precise<f32> {
+    const NAME: &'static str = "Precise<f32>";
     const PI: Self = Precise(core::f32::consts::PI);
     const ROUNDING: Self = Precise(<f32 as Number>::ROUNDING);
     #[inline(always)]
@@ -176,45 +182,52 @@ impl Number for Precise<f32> {
     }
 }
 
-// What sealed supertraits of `Real` have, for types that are named as an associated type.
+/// What others' pictures are compared with.
+impl Number for Precise<f64> {
+    const NAME: &'static str = "Precise<f64>";
+    const PI: Self = Precise(core::f64::consts::PI);
+    const ROUNDING: Self = Precise(<f64 as Number>::ROUNDING);
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Precise(x)
+    }
+    #[inline(always)]
+    fn from_f32(x: f32) -> Self {
+        Precise(f64::from(x))
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        Precise(libm::sqrt(self.0))
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        Precise(libm::exp(self.0))
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        Precise(libm::log(self.0))
+    }
+    #[inline(always)]
+    fn tail_bits<R: Words>(rng: &mut R) -> u128 {
+        f64::tail_bits(rng)
+    }
+    #[inline(always)]
+    fn turn_bits<R: Words>(rng: &mut R) -> u64 {
+        f64::turn_bits(rng)
+    }
+}
 
-/// 0.
-#[inline(always)]
-pub(crate) fn zero<T: Number>() -> T {
-    T::ZERO
+/// Is shown number types.
+pub trait NumberVisitor {
+    /// One of them.
+    fn number<T: Number>(&mut self);
 }
-/// 1.
-#[inline(always)]
-pub(crate) fn one<T: Number>() -> T {
-    T::ONE
-}
-/// ½.
-#[inline(always)]
-pub(crate) fn half<T: Number>() -> T {
-    T::HALF
-}
-/// ∞.
-#[inline(always)]
-pub(crate) fn infinity<T: Number>() -> T {
-    T::INFINITY
-}
-/// n.
-#[inline(always)]
-pub(crate) fn int<T: Number>(n: i16) -> T {
-    T::int(n)
-}
-/// |x|.
-#[inline(always)]
-pub(crate) fn abs<T: Number>(x: T) -> T {
-    x.abs()
-}
-/// The smaller of the two.
-#[inline(always)]
-pub(crate) fn least<T: Number>(a: T, b: T) -> T {
-    if a < b { a } else { b }
-}
-/// |x| with the sign of `sign`.
-#[inline(always)]
-pub(crate) fn copysign<T: Number>(x: T, sign: T) -> T {
-    x.copysign(sign)
+
+/// Shows every number type, from the coarsest to the most exact.
+pub fn every_number(visitor: &mut impl NumberVisitor) {
+    visitor.number::<Fast<f32>>();
+    visitor.number::<f32>();
+    visitor.number::<Precise<f32>>();
+    visitor.number::<f64>();
+    visitor.number::<Precise<f64>>();
 }

@@ -1,7 +1,7 @@
 //! The integrator: one path, and of each effect only what is on.
 
 use crate::effect::{Diffuse, Gloss, Lobe, Onward, isotropic, lamp, scattered_at, sun};
-use crate::number::{abs, infinity, one, zero};
+use crate::scalar::{abs, infinity, one, zero};
 use crate::start::{Aim, start};
 use crate::vector::{plus, tint};
 use crate::{Effect, Effects, Hit, Meter, Place, Ray, Rgb, Sampling, Scene, Target, Vector};

@@ -2,7 +2,7 @@
 
 use crate::effect::{Combine, Fog, Lamp, Sky, Sun};
 use crate::geometry::size;
-use crate::number::zero;
+use crate::scalar::zero;
 use crate::{Effect, Effects, Hit, Material, Plate, Ray, Rgb, Set, Sphere, Target, Vector};
 use heapless::Vec;
 

@@ -1,8 +1,8 @@
 //! Where a path starts: at the camera, or in flatland at a probe of the light.
 
 use crate::effect::{Lobe, isotropic, through_lens, through_pixel};
-use crate::number::{half, int};
 use crate::path::Path;
+use crate::scalar::{half, int};
 use crate::{Camera, Effect, Effects, Hit, Meter, Ray, Sampling, Scene, Vector};
 
 /// What all samples of a pixel have in common.

@@ -1,7 +1,8 @@
 //! Vectors of space and of flatland, and what differs between the two worlds.
 
-use crate::law::{AnyPlanar, AnySpatial, Sampling};
-use crate::number::one;
+use crate::law::Sampling;
+use crate::laws::{AnyPlanar, AnySpatial};
+use crate::scalar::one;
 use crate::{Number, Rgb, Words};
 use coslobe::{CircleShell, CosSin, Frame, Lambert, Law};
 

@@ -1,10 +1,9 @@
 //! From a checked file to the core's scene, in any number type.
 
-use super::raw::{CombineName, LawName, Raw, Value, Values};
-use coslobe::CosPower;
+use super::raw::{CombineName, Raw, Value, Values};
 use shade_core::effect::{Combine, Fog, Lamp, Sky, Sun};
 use shade_core::{
-    AnyPlanar, AnySpatial, Camera, Material, Number, Plate, Rgb, Scene, Sphere, Vector,
+    AnyPlanar, AnySpatial, Camera, LawName, Material, Number, Plate, Rgb, Scene, Sphere, Vector,
 };
 use toml::Spanned;
 
@@ -18,13 +17,7 @@ pub trait World: Vector {
 
 impl<T: Number> World for [T; 3] {
     fn law(name: LawName, exponent: f64) -> Option<AnySpatial<T>> {
-        Some(match name {
-            LawName::Lambert => AnySpatial::Lambert,
-            LawName::SphereShell => AnySpatial::SphereShell,
-            LawName::Ball => AnySpatial::Ball,
-            LawName::CosPower => AnySpatial::Power(CosPower::new(T::from_f64(exponent)).ok()?),
-            _ => return None,
-        })
+        AnySpatial::named(name, T::from_f64(exponent))
     }
     fn diffuse_law() -> AnySpatial<T> {
         AnySpatial::Lambert
@@ -33,12 +26,7 @@ impl<T: Number> World for [T; 3] {
 
 impl<T: Number> World for [T; 2] {
     fn law(name: LawName, _: f64) -> Option<AnyPlanar> {
-        Some(match name {
-            LawName::CircleArc => AnyPlanar::CircleArc,
-            LawName::CircleShell => AnyPlanar::CircleShell,
-            LawName::Disk => AnyPlanar::Disk,
-            _ => return None,
-        })
+        AnyPlanar::named(name)
     }
     fn diffuse_law() -> AnyPlanar {
         AnyPlanar::CircleShell

@@ -9,7 +9,7 @@ mod worlds;
 
 pub use build::{World, scene};
 pub use error::Error;
-pub use raw::{LawName, Raw};
+pub use raw::Raw;
 
 /// Most pixels along a side.
 pub const SIDE: i64 = 4096;

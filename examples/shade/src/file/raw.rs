@@ -1,6 +1,7 @@
 //! A scene as it is written. Every key that is not named here is an error.
 
 use serde::Deserialize;
+use shade_core::LawName;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -144,33 +145,6 @@ pub struct Plate {
     /// Space: two sides, at a right angle; flatland: one.
     pub sides: Spanned<Vec<Values>>,
     pub material: Spanned<String>,
-}
-
-/// The crate's laws.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "snake_case")]
-pub enum LawName {
-    Lambert,
-    SphereShell,
-    Ball,
-    CosPower,
-    CircleArc,
-    CircleShell,
-    Disk,
-}
-
-impl std::str::FromStr for LawName {
-    type Err = String;
-    fn from_str(name: &str) -> Result<Self, String> {
-        use serde::de::value::{Error, StrDeserializer};
-        LawName::deserialize(StrDeserializer::<Error>::new(name)).map_err(|e| e.to_string())
-    }
-}
-
-impl LawName {
-    pub fn is_flat(self) -> bool {
-        matches!(self, Self::CircleArc | Self::CircleShell | Self::Disk)
-    }
 }
 
 /// See `shade_core::effect::Combine`.

@@ -1,8 +1,9 @@
 //! What differs between space and flatland, and what is checked of one table.
 
 use super::ranges::{Checked, components, light, number, share, wrong};
-use super::raw::{Camera, Gloss, LawName, Material, Plate, Value, Values};
+use super::raw::{Camera, Gloss, Material, Plate, Value, Values};
 use super::{LARGEST, LEAST};
+use shade_core::LawName;
 use toml::Spanned;
 
 /// Space or flatland: what their keys have to be.
@@ -33,7 +34,7 @@ impl World {
     }
 
     pub(super) fn law(&self, law: &Spanned<LawName>, exponent: Option<&Value>) -> Checked {
-        if law.get_ref().is_flat() != self.flat {
+        if LawName::PLANAR.contains(law.get_ref()) != self.flat {
             let what = if self.flat {
                 "a law of space in flatland; expected circle_arc, circle_shell or disk"
             } else {

@@ -5,12 +5,11 @@ mod page;
 mod sheet;
 
 use crate::image::write_png;
-use coslobe::{Fast, Precise};
 use draw::{Means, halved, median, passes, reference, rmse, worse_than};
 use indicatif::{ProgressBar, ProgressStyle};
 use output::{File, plain, say};
 use shade::file::{Raw, scene};
-use shade_core::{Number, Scene, Set};
+use shade_core::{Number, NumberVisitor, Scene, Set, every_number};
 use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
@@ -56,21 +55,27 @@ fn prepared<T: Number>(raw: &Raw) -> Option<Scene<[T; 3]>> {
     Some(scene)
 }
 
-fn study<T: Number>(
-    name: &'static str,
-    raw: &Raw,
+/// Takes pictures in every number type.
+struct Studying<'a> {
+    raw: &'a Raw,
     set: Set,
-    progress: &ProgressBar,
-) -> Option<Study> {
-    let scene = prepared::<T>(raw)?;
-    let means = passes(&scene, set, &COUNTS, progress);
-    let rows = usize::from(scene.camera.height);
-    Some(Study {
-        name,
-        means,
-        timed: Box::new(move |y| draw::timed(&scene, set, y, TIMED)),
-        seconds: vec![f64::INFINITY; rows],
-    })
+    progress: &'a ProgressBar,
+    studies: Vec<Study>,
+}
+
+impl NumberVisitor for Studying<'_> {
+    fn number<T: Number>(&mut self) {
+        let Some(scene) = prepared::<T>(self.raw) else {
+            return;
+        };
+        let (set, rows) = (self.set, usize::from(scene.camera.height));
+        self.studies.push(Study {
+            name: T::NAME,
+            means: passes(&scene, set, &COUNTS, self.progress),
+            timed: Box::new(move |y| draw::timed(&scene, set, y, TIMED)),
+            seconds: vec![f64::INFINITY; rows],
+        });
+    }
 }
 
 pub(crate) fn run(raw: &Raw, path: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
@@ -95,15 +100,15 @@ pub(crate) fn run(raw: &Raw, path: &Path, out: &Path) -> Result<(), Box<dyn Erro
     )?);
     exact.seed ^= 1 << 23;
     let converged = reference(&exact, set, CONVERGED, &progress);
-    let studies = [
-        study::<Fast<f32>>("Fast<f32>", raw, set, &progress),
-        study::<f32>("f32", raw, set, &progress),
-        study::<Precise<f32>>("Precise<f32>", raw, set, &progress),
-        study::<f64>("f64", raw, set, &progress),
-        study::<Precise<f64>>("Precise<f64>", raw, set, &progress),
-    ];
+    let mut studying = Studying {
+        raw,
+        set,
+        progress: &progress,
+        studies: Vec::new(),
+    };
+    every_number(&mut studying);
     progress.finish_and_clear();
-    let mut studies: Vec<Study> = studies.into_iter().flatten().collect();
+    let mut studies = studying.studies;
     time(&mut studies);
     let rows = rows(&studies, &converged).ok_or("a type without pictures")?;
     let exposure = raw.image.exposure.as_ref().map_or(1.0, |e| *e.get_ref());

@@ -1,7 +1,7 @@
 //! Planted faults: laws and worlds that are wrong in one place.
 
 use crate::stage::v;
-use coslobe::{CosPower, CosSin, Lambert, SphereShell};
+use coslobe::{CosPower, CosSin, Lambert};
 use shade_core::{AnySpatial, Sampling, Vector, Words};
 
 /// Lambert's law, wrong in one place.
@@ -23,7 +23,7 @@ impl Sampling<Space> for Spoiled {
     fn draw<R: Words>(&self, axis: Space, rng: &mut R) -> (CosSin<f64>, Space) {
         match self {
             Spoiled::CosineDropped => CosPower::new(0.0).expect("0").draw(axis, rng),
-            Spoiled::WrongExponent => SphereShell.draw(axis, rng),
+            Spoiled::WrongExponent => CosPower::new(2.0).expect("2").draw(axis, rng),
             _ => Lambert.draw(axis, rng),
         }
     }

@@ -2,7 +2,8 @@
 
 use shade_core::effect::Lamp;
 use shade_core::{
-    Asked, Camera, Material, Number, Pixel, Plate, Sampling, Scene, Sphere, Vector, pixel,
+    AnySpatial, Asked, Camera, Material, Number, Pixel, Plate, Sampling, Scene, Sphere, Vector,
+    pixel,
 };
 
 /// Standard errors that an estimate may be off; the seeds are fixed.
@@ -37,6 +38,12 @@ pub(crate) fn camera<V: Vector>(eye: &[f64], forward: &[f64]) -> Camera<V> {
 
 pub(crate) fn diffuse<V: Vector>(law: V::Law, albedo: f64) -> Material<V> {
     Material::new(grey(albedo), grey(0.0), law, grey(0.0))
+}
+
+/// k of a law cosᵏθ, from its mean cosine (k + 1)/(k + 2).
+pub(crate) fn exponent(law: &AnySpatial<f64>) -> f64 {
+    let mean = law.mean_cos();
+    ((2.0 * mean - 1.0) / (1.0 - mean) * 1e6).round() / 1e6
 }
 
 /// Adds a material and returns its index.

@@ -1,6 +1,6 @@
 //! Fog by Beer and Lambert.
 
-use crate::number::zero;
+use crate::scalar::zero;
 use crate::vector::tint;
 use crate::{Effect, Effects, Number, Ray, Rgb, Sphere, Vector};
 

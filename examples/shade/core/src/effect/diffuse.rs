@@ -1,7 +1,7 @@
 //! Diffuse reflection: f = albedo/π, in flatland albedo/2.
 
 use super::Onward;
-use crate::number::{infinity, zero};
+use crate::scalar::{infinity, zero};
 use crate::vector::dim;
 use crate::{Effect, Meter, Place, Rgb, Sampling, Stream, Vector};
 

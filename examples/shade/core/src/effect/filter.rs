@@ -1,6 +1,6 @@
 //! Antialiasing: a box filter over the pixel.
 
-use crate::number::{half, int};
+use crate::scalar::{half, int};
 use crate::{Camera, Effect, Meter, Number, Place, Stream, Vector, Words};
 
 /// A point of the pixel (x, y) relative to its centre, in pixels. One word: 16 bits a coordinate are

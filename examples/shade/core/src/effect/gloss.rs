@@ -1,7 +1,7 @@
 //! Glossy reflection: a lobe cosᵏα about the mirror direction.
 
 use super::Onward;
-use crate::number::{infinity, zero};
+use crate::scalar::{infinity, zero};
 use crate::vector::dim;
 use crate::{Effect, Material, Meter, Place, Rgb, Sampling, Stream, Vector};
 

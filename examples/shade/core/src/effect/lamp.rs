@@ -1,7 +1,7 @@
 //! Spherical lights: soft shadows by two strategies.
 
-use crate::number::{one, zero};
 use crate::path::{Path, Vertex};
+use crate::scalar::{one, zero};
 use crate::vector::{dim, plus, tint};
 use crate::{Effect, Effects, Meter, Number, Ray, Rgb, Sampling, Sphere, Stream, Target, Vector};
 use coslobe::{CosSin, balance_heuristic, power_heuristic};

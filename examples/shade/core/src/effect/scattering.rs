@@ -1,7 +1,7 @@
 //! Where fog scatters a ray.
 
 use super::{Fog, Onward};
-use crate::number::one;
+use crate::scalar::one;
 use crate::{Effect, Meter, Number, Place, Stream, Vector};
 
 /// The length of fog up to the point where the ray is scattered, if that is less than `length`: the optical

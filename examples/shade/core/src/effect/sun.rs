@@ -1,7 +1,7 @@
 //! A light at infinity: hard shadows.
 
-use crate::number::{infinity, one, zero};
 use crate::path::{Path, Vertex};
+use crate::scalar::{infinity, one, zero};
 use crate::vector::tint;
 use crate::{Effect, Effects, Meter, Ray, Rgb, Sampling, Target, Vector};
 

@@ -6,7 +6,7 @@ mod sphere;
 pub use plate::Plate;
 pub use sphere::Sphere;
 
-use crate::number::abs;
+use crate::scalar::abs;
 use crate::{Number, Vector};
 
 /// What a ray met or leaves: an index over spheres, plates and lamps.

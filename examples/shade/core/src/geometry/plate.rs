@@ -2,7 +2,7 @@
 
 use super::{Ray, pushed, reach, reaches, size, sum};
 use crate::Vector;
-use crate::number::{abs, copysign, infinity, least, one, zero};
+use crate::scalar::{abs, copysign, infinity, least, one, zero};
 
 /// A rectangle or segment, seen from both sides.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! Spheres; in flatland circles.
 
 use super::{Ray, pushed, reach, reaches, size, sum};
-use crate::number::{abs, half, infinity, least, one, zero};
+use crate::scalar::{abs, half, infinity, least, one, zero};
 use crate::{Number, Vector};
 
 /// A sphere, solid or a hollow world seen from within.
