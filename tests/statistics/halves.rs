@@ -4,8 +4,10 @@
 use coslobe::rand_core::Rng;
 use coslobe::uniform::TailBits;
 use coslobe::{CosSin, Disk, Planar, Spatial, SphereShell};
-use kit::Number;
 use kit::stats::words::pcg;
+use kit::{Id, Number};
+
+pub(crate) const LAWS: [Id; 2] = [Id::Disk, Id::SphereShell];
 
 const COUNT: usize = 50_000;
 /// Kolmogorov's λ, passed by chance in 10⁻⁵ of all cases.

@@ -5,10 +5,11 @@
 //! The thorough run: `cargo test --release --test statistics -- --ignored --nocapture`.
 
 mod halves;
+mod integers;
 mod measures;
 mod mutants;
-mod q15;
-mod q31;
+mod poor_generators;
+mod rotated;
 
 use coslobe::rand_core::Rng;
 use coslobe::{Fast, Precise, Spatial};
@@ -48,7 +49,7 @@ impl Laws {
         let mut rng = words::pcg(&claim.name);
         examine(claim, self.n, || draw(&mut rng)).accepted();
         // Of two halves of a word: their tails are those of `halves`.
-        let in_halves = self.bits == 64 && matches!(id, Id::Disk | Id::SphereShell);
+        let in_halves = self.bits == 64 && halves::LAWS.contains(&id);
         for &depth in self.depths.iter().filter(|_| !in_halves) {
             examine_tail(
                 claim,

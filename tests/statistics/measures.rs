@@ -137,8 +137,6 @@ impl Points {
         }
         let turn = |a: f64, b: f64| (a.atan2(b) / TAU).rem_euclid(1.0);
         match measure {
-            // Uniform along the ray, not along the curve: its direction is tested as a law.
-            Measure::CircleShell | Measure::SphereShell => {}
             Measure::Area | Measure::ArcLength => {
                 accept("angle", points.iter().map(|p| turn(p[1], p[0])).collect());
             }
@@ -152,6 +150,8 @@ impl Points {
                 );
                 accept("azimuth", points.iter().map(|p| turn(p[2], p[0])).collect());
             }
+            // A shell is uniform along the ray, not along the curve: its direction is tested as a law.
+            _ => {}
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::{in_plane, in_space};
 use coslobe::rand_core::Rng;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Fast, Lambert, Law, Planar, Spatial,
-    SphereShell, uniform,
+    uniform,
 };
 use kit::Number;
 use kit::stats::claim::{Claim, Direction};
@@ -67,12 +67,6 @@ fn arc_for_shell_and_back() {
     assert!(examine(&shell, n, || in_plane::<f64>(CircleArc.sample(&mut rng))).rejects("KS theta"));
     let arc = planar("CircleShell as CircleArc", 0.0, CircleArc);
     assert!(examine(&arc, n, || in_plane::<f64>(CircleShell.sample(&mut rng))).rejects("KS theta"));
-    let shell = spatial::<f64, _>("Lambert as SphereShell", 2.0, SphereShell);
-    assert!(examine(&shell, n, || in_space::<f64>(Lambert.sample(&mut rng))).rejects("KS theta"));
-    let area = spatial::<f64, _>("SphereShell as Lambert", 1.0, Lambert);
-    assert!(
-        examine(&area, n, || in_space::<f64>(SphereShell.sample(&mut rng))).rejects("KS theta")
-    );
 }
 
 /// The usual uniform of 24 bits, warped from the horizon.

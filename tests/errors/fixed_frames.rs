@@ -1,17 +1,12 @@
-//! Frames and directions around a normal in integers, against `f64`: errors by search, statistics of
-//! the rotated lobes, and what normals are refused.
+//! Frames and directions around a normal in integers, against `f64`: errors by search, and what normals are refused.
 
-use coslobe::fixed::{CosPower, Fixed16Law, FixedFrame, FixedLaw};
+use coslobe::fixed::FixedFrame;
 use coslobe::rand_core::Rng;
-use coslobe::{Ball, Fixed, Fixed16, Lambert, Law, Moments, NormalError, SphereShell};
-use fixed::types::{I1F15, I1F31, U0F16, U0F32, U16F16};
-use kit::stats::claim::Claim;
-use kit::stats::harness::examine;
+use coslobe::{Ball, Fixed, Fixed16, Lambert, NormalError};
+use fixed::types::{I1F15, I1F31, U0F16, U0F32};
 use kit::stats::words;
 
 type Vector = [f64; 3];
-
-const N: usize = 400_000;
 
 fn dot(a: Vector, b: Vector) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
@@ -145,60 +140,6 @@ fn rotations_are_within_their_bounds() {
         short.iter().zip([3.5, 3.5, 4.0]).all(|(e, b)| *e <= b),
         "{short:?}"
     );
-}
-
-fn claim(name: &str, k: f64, unit: f64, moments: Moments<f64>) -> Claim {
-    Claim {
-        name: name.into(),
-        planar: false,
-        k,
-        moments,
-        epsilon: unit,
-        length: 12.0 * unit,
-        error: 12.0 * unit,
-        grid: 16.0 * unit,
-    }
-}
-
-/// A rotated direction in the axes of the law again, those below the surface by rounding on it.
-fn unrotated<C: Component>(normal: [C; 3], world: [C; 3]) -> Vector {
-    let axes = axes(normal.map(Into::into));
-    let [x, y, z] = axes.map(|axis| dot(axis, world.map(Into::into)));
-    [x, y.max(C::UNIT), z]
-}
-
-fn fixed<L: FixedLaw<Direction = [I1F31; 3]>>(name: &str, k: f64, law: L, m: Moments<f64>) {
-    for normal in [[0.36, -0.48, 0.8], [0.48, 0.6, -0.64], [0.0, 0.0, -1.0]] {
-        let normal = normal.map(I1F31::saturating_from_num);
-        let mut rng = words::pcg(name);
-        let draw = || unrotated(normal, Fixed(law).sample_around(normal, &mut rng));
-        let claim = claim(name, k, I1F31::UNIT, m);
-        examine(&claim, N, draw).without("ties").accepted();
-    }
-}
-
-fn fixed16<L: Fixed16Law<Direction = [I1F15; 3]>>(name: &str, k: f64, law: L, m: Moments<f64>) {
-    for normal in [[0.36, -0.48, 0.8], [0.48, 0.6, -0.64], [0.0, 0.0, -1.0]] {
-        let normal = normal.map(I1F15::saturating_from_num);
-        let mut rng = words::pcg(name);
-        let draw = || unrotated(normal, Fixed16(law).sample_around(normal, &mut rng));
-        // Of more samples the rounding of a cosine to a grid of 2⁻¹⁵ shows.
-        examine(&claim(name, k, I1F15::UNIT, m), N / 40, draw)
-            .without("ties")
-            .accepted();
-    }
-}
-
-#[test]
-fn rotated_lobes_keep_their_law() {
-    fixed("Lambert", 1.0, Lambert, Lambert.moments());
-    fixed("SphereShell", 2.0, SphereShell, SphereShell.moments());
-    fixed("Ball", 3.0, Ball, Ball.moments());
-    let power = coslobe::CosPower::new(20.0).expect("an exponent").moments();
-    fixed("CosPower", 20.0, CosPower::new(U16F16::from_num(20)), power);
-    fixed16("Lambert 16", 1.0, Lambert, Lambert.moments());
-    fixed16("SphereShell 16", 2.0, SphereShell, SphereShell.moments());
-    fixed16("Ball 16", 3.0, Ball, Ball.moments());
 }
 
 /// A sample with its density is the bare one, and its pair is the direction's before it was turned.

@@ -1,14 +1,15 @@
 //! Generators whose low bits are poor, as the cheap ones of firmware are: signs, azimuths and the
 //! law itself pass χ² all the same, in every number type.
 
-use coslobe::fixed::{CosPower, Fixed16Law, FixedLaw};
+use coslobe::fixed::CosPower;
 use coslobe::rand_core::Rng;
-use coslobe::{
-    Ball, CircleArc, CircleShell, Disk, Fixed, Fixed16, Lambert, Law, SphereShell, from_fn,
-};
+use coslobe::{CircleArc, Fixed, Law, from_fn};
 use fixed::traits::ToFixed;
-use fixed::types::{I1F15, I1F31, U16F16};
-use kit::catalogue::{every_law, every_number};
+use fixed::types::U16F16;
+use kit::catalogue::{
+    IntegerLaw, IntegerVisitor, every_integer_law, every_law, every_number, moments,
+};
+use kit::integer::{Format, Long, Short, direction};
 use kit::stats::claim::{Claim, Direction};
 use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -179,20 +180,19 @@ impl<T: Number> LawVisitor<T> for Collect {
     }
 }
 
-fn padded<C: Copy + Into<f64>>(direction: &[C]) -> Direction {
-    let mut padded = [0.0; 3];
-    for (to, &from) in padded.iter_mut().zip(direction) {
-        *to = from.into();
+impl Collect {
+    fn integers<F: Format>(&mut self, id: Id, draw: Draw) {
+        let moments = moments::<f64>(id).expect("an exponent");
+        let claim = F::claim(&id.to_string(), id.planar(), id.exponent(), moments);
+        self.0.push(Subject { claim, draw });
     }
-    padded
 }
 
-fn fixed<L: FixedLaw<Direction: AsRef<[I1F31]>> + 'static>(law: L) -> Draw {
-    Box::new(move |rng| padded(Fixed(law).sample(rng).as_ref()))
-}
-
-fn fixed16<L: Fixed16Law<Direction: AsRef<[I1F15]>> + 'static>(law: L) -> Draw {
-    Box::new(move |rng| padded(Fixed16(law).sample(rng).as_ref()))
+impl IntegerVisitor for Collect {
+    fn law<L: IntegerLaw>(&mut self, law: L) {
+        self.integers::<Long>(L::ID, Box::new(move |rng| Long::sample(law, rng)));
+        self.integers::<Short>(L::ID, Box::new(move |rng| Short::sample(law, rng)));
+    }
 }
 
 impl NumberVisitor for Collect {
@@ -205,39 +205,13 @@ impl NumberVisitor for Collect {
 fn subjects() -> Vec<Subject> {
     let mut all = Collect(Vec::new());
     every_number(&mut all);
-    let Collect(mut all) = all;
-    let mut of = |name: String, planar, k, draw| {
-        let claim = Claim::new::<f64>(&name, planar, k, Lambert.moments());
-        let claim = Claim { name, ..claim };
-        all.push(Subject { claim, draw });
-    };
-    of("Fixed Disk".into(), true, 2.0, fixed(Disk));
-    of("Fixed CircleShell".into(), true, 1.0, fixed(CircleShell));
-    of("Fixed CircleArc".into(), true, 0.0, fixed(CircleArc));
-    of("Fixed Ball".into(), false, 3.0, fixed(Ball));
-    of("Fixed SphereShell".into(), false, 2.0, fixed(SphereShell));
-    of("Fixed Lambert".into(), false, 1.0, fixed(Lambert));
+    every_integer_law(&mut all);
     for k in EXPONENTS {
-        let law = CosPower::new(k.to_fixed::<U16F16>());
-        of(format!("Fixed CosPower({k})"), false, k, fixed(law));
+        let law = Fixed(CosPower::new(k.to_fixed::<U16F16>()));
+        let draw: Draw = Box::new(move |rng| direction(&law.sample(rng)));
+        all.integers::<Long>(Id::CosPower(k), draw);
     }
-    of("Fixed16 Disk".into(), true, 2.0, fixed16(Disk));
-    of(
-        "Fixed16 CircleShell".into(),
-        true,
-        1.0,
-        fixed16(CircleShell),
-    );
-    of("Fixed16 CircleArc".into(), true, 0.0, fixed16(CircleArc));
-    of("Fixed16 Ball".into(), false, 3.0, fixed16(Ball));
-    of(
-        "Fixed16 SphereShell".into(),
-        false,
-        2.0,
-        fixed16(SphereShell),
-    );
-    of("Fixed16 Lambert".into(), false, 1.0, fixed16(Lambert));
-    all
+    all.0
 }
 
 #[test]
@@ -257,7 +231,7 @@ fn low_bits_are_found_out() {
     let arc = |bit: u32| -> Draw {
         Box::new(move |rng| {
             let word = rng.next_u32();
-            let [x, y, z] = padded(Fixed(CircleArc).sample(&mut from_fn(|| word >> 1)).as_ref());
+            let [x, y, z] = Long::sample(CircleArc, &mut from_fn(|| word >> 1));
             [if word >> bit & 1 == 0 { x } else { -x }, y, z]
         })
     };
