@@ -9,17 +9,14 @@ mod batches {
     pub(crate) mod spatial;
 }
 
-use batches::inputs::{LENGTHS, numbers, pairs};
-use coslobe::{Batch, CosSin, Fast, Law, LengthError};
+use batches::inputs::{LENGTHS, Words, WordsVisitor, every_number, numbers, pairs};
+use batches::{planar, spatial};
+use coslobe::uniform::{TailBits, TurnBits};
+use coslobe::{Batch, CosSin, Law, LengthError};
 use kit::{Id, LawVisitor, Named, Number, PlanarLaw, SpatialLaw, catalogue};
-use std::sync::Mutex;
 
-/// The width is one for the whole process.
-static WIDTH: Mutex<()> = Mutex::new(());
-
-/// Runs `test` at every width that there is.
+/// Runs `test` at every width that there is. The width is one for the whole process: one test calls this.
 fn at_every_width(test: impl Fn(&str)) {
-    let _alone = WIDTH.lock();
     #[cfg(feature = "simd")]
     {
         use coslobe::batch::width::{Width, limit, widest};
@@ -169,42 +166,49 @@ fn unequal<T: Batch + Number, L: Law<T>>(law: &L) {
 }
 
 /// Every function of slices, at a width.
-struct Functions<'a>(&'a str);
+struct Functions<'a, T: Words> {
+    width: &'a str,
+    tails: &'a [TailBits<T>],
+    turns: &'a [TurnBits<T>],
+}
 
-impl Functions<'_> {
-    fn law<T: Batch + Number, L: Law<T> + Named>(&self, law: &L) {
-        unary(law, self.0);
-        components(law, self.0);
+impl<T: Words> Functions<'_, T> {
+    fn law<L: Law<T> + Named>(&self, law: &L) {
+        unary(law, self.width);
+        components(law, self.width);
         unequal(law);
     }
 }
 
-impl<T: Batch + Number> LawVisitor<T> for Functions<'_> {
+impl<T: Words> LawVisitor<T> for Functions<'_, T> {
     fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
-        self.law::<T, L>(&law);
+        self.law::<L>(&law);
+        planar::law(&law, self.tails, self.width);
     }
     fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
-        self.law::<T, L>(&law);
+        self.law::<L>(&law);
+        spatial::law(&law, self.tails, self.turns, self.width);
     }
 }
 
-fn every_law<T: Batch + Number>() {
-    at_every_width(|width| {
-        catalogue::every_law::<T>(&mut Functions(width), &[0.0, 1.0, 7.3, 1e4]);
-    });
+/// Every law at every width.
+struct Laws;
+
+impl WordsVisitor for Laws {
+    fn number<T: Words>(&self) {
+        let (tails, turns) = (&T::tails()[..], &T::turns()[..]);
+        at_every_width(|width| {
+            let mut functions = Functions::<T> {
+                width,
+                tails,
+                turns,
+            };
+            catalogue::every_law(&mut functions, &[0.0, 1.0, 7.3, 1e4]);
+        });
+    }
 }
 
 #[test]
-fn f32_functions() {
-    every_law::<f32>();
-}
-
-#[test]
-fn f64_functions() {
-    every_law::<f64>();
-}
-
-#[test]
-fn fast_functions() {
-    every_law::<Fast<f32>>();
+fn slices_give_the_bits_of_scalar_calls() {
+    every_number(&Laws);
 }

@@ -1,5 +1,7 @@
 //! Inputs that are hard: ends, neighbours of every branch, subnormal numbers, infinities and NaN, and noise.
 
+use coslobe::uniform::{TailBits, TurnBits};
+use coslobe::{Batch, Fast};
 use kit::Number;
 
 /// Shorter and longer than a block, and none.
@@ -66,4 +68,79 @@ pub(crate) fn pairs<T: Number>() -> (Vec<T>, Vec<T>) {
     }
     list.extend(hard.iter().flat_map(|&a| hard.iter().map(move |&b| (a, b))));
     list.into_iter().unzip()
+}
+
+/// Words whose leading zeros, or ones, are of every number.
+fn hard_words() -> Vec<u64> {
+    let ends = [0, 1, u64::MAX, 1 << 63, (1 << 63) - 1, 1 << 61, 3 << 61];
+    let noisy = (0..64).flat_map(|n| [noise(n) >> n, !(noise(n) >> n), 1 << n]);
+    ends.into_iter()
+        .chain(noisy)
+        .chain((0..300).map(noise))
+        .collect()
+}
+
+/// Words of twice the length: each with noise, zeros and ones below it.
+fn hard_double_words() -> Vec<u128> {
+    let lower = |n: u64| [0, u64::MAX, noise(n), noise(n) >> (n & 63)];
+    let pair = |high: u64| lower(high).map(|low| u128::from(high) << 64 | u128::from(low));
+    hard_words().into_iter().flat_map(pair).collect()
+}
+
+/// As many as `n`, from the upper and from the lower bits of hard words.
+fn hard_halves(n: usize) -> Vec<u32> {
+    let halves = |w: u64| [(w >> 32) as u32, w as u32];
+    hard_words()
+        .into_iter()
+        .rev()
+        .flat_map(halves)
+        .cycle()
+        .take(n)
+        .collect()
+}
+
+/// The words of one probability and of one azimuth.
+pub(crate) trait Words: Batch + Number {
+    fn tails() -> Vec<TailBits<Self>>;
+    fn turns() -> Vec<TurnBits<Self>>;
+}
+
+impl Words for f32 {
+    fn tails() -> Vec<u64> {
+        hard_words()
+    }
+    fn turns() -> Vec<u32> {
+        hard_halves(hard_words().len())
+    }
+}
+
+impl Words for f64 {
+    fn tails() -> Vec<u128> {
+        hard_double_words()
+    }
+    fn turns() -> Vec<u64> {
+        let words = hard_words().into_iter().rev().cycle();
+        words.take(hard_double_words().len()).collect()
+    }
+}
+
+impl Words for Fast<f32> {
+    fn tails() -> Vec<u32> {
+        hard_halves(700).into_iter().rev().collect()
+    }
+    fn turns() -> Vec<u32> {
+        hard_halves(700)
+    }
+}
+
+/// Is shown number types.
+pub(crate) trait WordsVisitor {
+    fn number<T: Words>(&self);
+}
+
+/// Shows every number type that batches have.
+pub(crate) fn every_number(visitor: &impl WordsVisitor) {
+    visitor.number::<f32>();
+    visitor.number::<f64>();
+    visitor.number::<Fast<f32>>();
 }

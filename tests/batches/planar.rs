@@ -1,11 +1,10 @@
 //! Laws in the plane: directions of words and of a generator.
 
 use super::inputs::LENGTHS;
-use super::spatial::{hard_double_words, hard_halves, hard_words};
-use crate::{at_every_width, same};
+use crate::same;
 use coslobe::rand_core::Rng;
 use coslobe::uniform::TailBits;
-use coslobe::{Batch, CircleArc, CircleShell, Disk, Fast, LengthError, Planar};
+use coslobe::{Batch, LengthError, Planar};
 use kit::{Named, Number};
 use rand_pcg::{Pcg32, Pcg64};
 
@@ -55,31 +54,14 @@ fn unequal<T: Batch + Number, L: Planar<T>>(law: &L, words: &[TailBits<T>]) {
     }
 }
 
-fn every_law<T: Batch + Number>(all: &[TailBits<T>]) {
-    fn law<T: Batch + Number, L: Planar<T> + Named>(law: L, all: &[TailBits<T>], width: &str) {
-        draws(&law, Pcg32::new(1, 2), width);
-        draws(&law, Pcg64::new(1, 2), width);
-        words(&law, all, width);
-        unequal(&law, all);
-    }
-    at_every_width(|width| {
-        law::<T, _>(Disk, all, width);
-        law::<T, _>(CircleShell, all, width);
-        law::<T, _>(CircleArc, all, width);
-    });
-}
-
-#[test]
-fn f32_directions() {
-    every_law::<f32>(&hard_words());
-}
-
-#[test]
-fn f64_directions() {
-    every_law::<f64>(&hard_double_words());
-}
-
-#[test]
-fn fast_directions() {
-    every_law::<Fast<f32>>(&hard_halves(700));
+/// Every function of slices that laws in the plane have beside those of `Law`.
+pub(crate) fn law<T: Batch + Number, L: Planar<T> + Named>(
+    law: &L,
+    all: &[TailBits<T>],
+    width: &str,
+) {
+    draws(law, Pcg32::new(1, 2), width);
+    draws(law, Pcg64::new(1, 2), width);
+    words(law, all, width);
+    unequal(law, all);
 }

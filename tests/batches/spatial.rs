@@ -1,10 +1,10 @@
 //! Laws in space: directions of pairs, of words and of a generator.
 
-use super::inputs::{LENGTHS, noise, numbers, pairs};
-use crate::{at_every_width, same};
+use super::inputs::{LENGTHS, numbers, pairs};
+use crate::same;
 use coslobe::rand_core::Rng;
 use coslobe::uniform::{TailBits, TurnBits};
-use coslobe::{Ball, Batch, CosPower, Fast, Lambert, LengthError, Spatial, SphereShell};
+use coslobe::{Batch, LengthError, Spatial};
 use kit::{Named, Number};
 use rand_pcg::{Pcg32, Pcg64};
 
@@ -115,17 +115,18 @@ fn unequal<T: Batch + Number, L: Spatial<T>>(law: &L, theta: &[TailBits<T>], phi
     }
 }
 
-fn law<T: Batch + Number, L: Spatial<T> + Named>(
-    law: L,
+/// Every function of slices that laws in space have beside those of `Law`.
+pub(crate) fn law<T: Batch + Number, L: Spatial<T> + Named>(
+    law: &L,
     theta: &[TailBits<T>],
     phi: &[TurnBits<T>],
     width: &str,
 ) {
-    directions(&law, width);
-    draws(&law, Pcg32::new(1, 2), width);
-    draws(&law, Pcg64::new(1, 2), width);
-    words(&law, theta, phi, width);
-    unequal(&law, theta, phi);
+    directions(law, width);
+    draws(law, Pcg32::new(1, 2), width);
+    draws(law, Pcg64::new(1, 2), width);
+    words(law, theta, phi, width);
+    unequal(law, theta, phi);
     let (mut rng, mut same) = (Pcg32::new(3, 4), Pcg32::new(3, 4));
     let mut out = empty(65);
     let by_reference: &mut dyn Rng = &mut rng;
@@ -137,74 +138,4 @@ fn law<T: Batch + Number, L: Spatial<T> + Named>(
             .last()
             .expect("65")
     );
-}
-
-fn every_law<T: Batch + Number>(theta: &[TailBits<T>], phi: &[TurnBits<T>]) {
-    at_every_width(|width| {
-        law::<T, _>(Ball, theta, phi, width);
-        law::<T, _>(SphereShell, theta, phi, width);
-        law::<T, _>(Lambert, theta, phi, width);
-        for k in [0.0, 7.3, 1e4] {
-            law::<T, _>(
-                CosPower::new(T::of(k)).expect("an exponent"),
-                theta,
-                phi,
-                width,
-            );
-        }
-    });
-}
-
-/// Words whose leading zeros, or ones, are of every number.
-pub(crate) fn hard_words() -> Vec<u64> {
-    let ends = [0, 1, u64::MAX, 1 << 63, (1 << 63) - 1, 1 << 61, 3 << 61];
-    let noisy = (0..64).flat_map(|n| [noise(n) >> n, !(noise(n) >> n), 1 << n]);
-    ends.into_iter()
-        .chain(noisy)
-        .chain((0..300).map(noise))
-        .collect()
-}
-
-/// Words of twice the length: each with noise, zeros and ones below it.
-pub(crate) fn hard_double_words() -> Vec<u128> {
-    let lower = |n: u64| [0, u64::MAX, noise(n), noise(n) >> (n & 63)];
-    let pair = |high: u64| lower(high).map(|low| u128::from(high) << 64 | u128::from(low));
-    hard_words().into_iter().flat_map(pair).collect()
-}
-
-/// As many as `n`, from the upper and from the lower bits of hard words.
-pub(crate) fn hard_halves(n: usize) -> Vec<u32> {
-    let halves = |w: u64| [(w >> 32) as u32, w as u32];
-    hard_words()
-        .into_iter()
-        .rev()
-        .flat_map(halves)
-        .cycle()
-        .take(n)
-        .collect()
-}
-
-#[test]
-fn f32_directions() {
-    let theta = hard_words();
-    every_law::<f32>(&theta, &hard_halves(theta.len()));
-}
-
-#[test]
-fn f64_directions() {
-    let theta = hard_double_words();
-    let phi: Vec<_> = hard_words()
-        .into_iter()
-        .rev()
-        .cycle()
-        .take(theta.len())
-        .collect();
-    every_law::<f64>(&theta, &phi);
-}
-
-#[test]
-fn fast_directions() {
-    let phi = hard_halves(700);
-    let theta: Vec<_> = phi.iter().rev().copied().collect();
-    every_law::<Fast<f32>>(&theta, &phi);
 }

@@ -1,64 +1,63 @@
 //! What the interface promises beside statistics.
 
 use crate::generators::good;
+use coslobe::fixed::{Fixed16Planar, Fixed16Spatial, FixedPlanar, FixedSpatial};
 use coslobe::rand_core::Rng;
 use coslobe::self_test::{self, Alarm, Fault, InSpace, Invalid, Place, Subject, Test};
-use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Planar, Precise, Real, Spatial,
-    SphereShell,
-};
+use coslobe::{CosPower, Fixed, Fixed16, Lambert};
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law, every_law, every_number};
+use kit::{EXPONENT, Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 
 fn passes<S: Subject>(mut test: Test<S>) {
     test.run(&mut good(3), self_test::SAMPLES);
     test.verdict(Alarm::OneInMillion).unwrap();
 }
 
-fn every_law<T: Real>(k: T) {
-    fn plane<T: Real>(law: impl Planar<T>) {
+struct Laws;
+
+impl<T: Number> LawVisitor<T> for Laws {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
         passes(self_test::planar::<T, _>(law));
     }
-    fn space<T: Real>(law: impl Spatial<T>) {
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
         passes(self_test::spatial::<T, _>(law));
     }
-    plane::<T>(Disk);
-    plane::<T>(CircleShell);
-    plane::<T>(CircleArc);
-    space::<T>(Ball);
-    space::<T>(SphereShell);
-    space::<T>(Lambert);
-    space(CosPower::new(k).unwrap());
+}
+
+impl NumberVisitor for Laws {
+    fn number<T: Number>(&mut self) {
+        every_law::<T>(self, &[EXPONENT]);
+    }
+}
+
+impl IntegerVisitor for Laws {
+    fn law<L: IntegerLaw>(&mut self, _: L) {
+        unreachable!("each is planar or spatial");
+    }
+    fn planar<L: IntegerLaw + FixedPlanar + Fixed16Planar>(&mut self, law: L) {
+        passes(self_test::fixed(Fixed(law)));
+        passes(self_test::fixed(Fixed16(law)));
+    }
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
+        passes(self_test::fixed(Fixed(law)));
+        passes(self_test::fixed(Fixed16(law)));
+    }
+    fn power(&mut self, law: coslobe::fixed::CosPower) {
+        passes(self_test::fixed(Fixed(law)));
+    }
 }
 
 #[test]
 fn a_good_generator_passes_under_every_law_and_type() {
-    every_law(7.3f32);
-    every_law(7.3f64);
-    every_law(Fast(7.3f32));
-    every_law(Precise(7.3f32));
-    every_law(Precise(7.3f64));
+    every_number(&mut Laws);
+    every_integer_law(&mut Laws);
 }
 
-/// `Fixed` and `Fixed16`, with a good generator and with stuck, biased and short ones; its samples are in their cells.
-#[cfg(feature = "fixed")]
+/// Stuck, biased and short generators; samples that are none.
 #[test]
 fn integers_are_checked_by_integers() {
     use crate::generators::{biased, period, stuck_bit};
-    use coslobe::{Fixed, Fixed16};
     use fixed::types::I1F31;
-    passes(self_test::fixed(Fixed(Disk)));
-    passes(self_test::fixed(Fixed(CircleShell)));
-    passes(self_test::fixed(Fixed(CircleArc)));
-    passes(self_test::fixed(Fixed(Ball)));
-    passes(self_test::fixed(Fixed(SphereShell)));
-    passes(self_test::fixed(Fixed(Lambert)));
-    passes(self_test::fixed(Fixed16(Disk)));
-    passes(self_test::fixed(Fixed16(CircleShell)));
-    passes(self_test::fixed(Fixed16(CircleArc)));
-    passes(self_test::fixed(Fixed16(Ball)));
-    passes(self_test::fixed(Fixed16(SphereShell)));
-    passes(self_test::fixed(Fixed16(Lambert)));
-    let lobe = coslobe::fixed::CosPower::new(fixed::types::U16F16::from_num(7.3));
-    passes(self_test::fixed(Fixed(lobe)));
     for mut bad in [stuck_bit(1, 4, true), biased(1, !0, 0.05), period(1, 300)] {
         let mut test = self_test::fixed(Fixed(Lambert));
         test.run(&mut bad, self_test::SAMPLES);
