@@ -1,6 +1,6 @@
 //! Planted errors, each of which the judges of `sweeps` must notice.
 
-use coslobe::{CircleShell, CosSin, Law, SphereShell};
+use coslobe::{Ball, CircleShell, CosSin, Law};
 use kit::accuracy::bounds::broken;
 use kit::accuracy::format::Format;
 use kit::accuracy::measure::{Input, sweep};
@@ -31,10 +31,10 @@ fn gross_errors() {
     rejects::<f64>(Spoiled::NaiveResidual, 1 << 43);
 }
 
-/// A law under another's name is caught too: the sphere's shell is not the sphere's area.
+/// A law under another's name is caught too: the ball's volume is not its surface.
 #[test]
 fn a_wrong_exponent() {
-    let subjects = [Subject::<f32>::planar::<f32>(Id::Lambert, SphereShell)];
+    let subjects = [Subject::<f32>::planar::<f32>(Id::Lambert, Ball)];
     let tally = sweep(&subjects, Input::Tail, 100_003, Part::WHOLE, |_| ());
     assert!(!broken(&subjects, &tally).is_empty());
 }

@@ -14,8 +14,7 @@ fn allowed<T: Number>() -> f64 {
     match T::NAME {
         "Precise<f32>" => 0.5,
         "Precise<f64>" => 0.55,
-        name if name.starts_with("Fast") => 2f64.powi(T::Raw::DIGITS - 1 - 12),
-        _ => 4.0,
+        _ => (T::ERROR / T::EPSILON).max(4.0),
     }
 }
 
@@ -138,18 +137,14 @@ fn pair<T: Number>(x: T, is_cos: bool) -> CosSin<T> {
 }
 
 /// Radii over the whole admitted range, the ends included; cosines, sines and v by their logarithm
-/// down to the least number (for `Fast`, which promises nothing there, to the least normal one).
+/// down to the least number that the type tells from 0.
 fn everywhere<T: Number>() {
     let mut rng = Pcg64::seed_from_u64(17);
     let mut unit = move || (rng.next_u64() >> 12) as f64 / 2f64.powi(52) + 2f64.powi(-53);
     let least = 2f64.powi(T::Raw::LEAST);
     let (low, high) = (least.log2(), (T::Raw::MAX_VALUE / 4.0).log2());
     let one = T::Raw::of(1.0).bits();
-    let floor = if T::NAME.starts_with("Fast") {
-        T::Raw::of(least).bits() as f64
-    } else {
-        1.0
-    };
+    let floor = T::Raw::of(T::LEAST_STEP).bits() as f64;
     for i in 0..40_000 {
         let rho = match i {
             0 => least,

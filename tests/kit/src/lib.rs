@@ -46,7 +46,7 @@ pub use hash::Hash;
 pub use integers::{Integers, integers};
 pub use integers16::{Integers16, integers16};
 pub use laws::{Laws, Visitor};
-pub use number::{Drawn, Format, Number};
+pub use number::{Drawn, Format, Number, promises_ulps};
 pub use planar::planar;
 pub use spatial::spatial;
 pub use stream::{CHECKPOINTS, Stream};

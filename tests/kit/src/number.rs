@@ -80,6 +80,11 @@ pub trait Number: Real + Into<f64> {
     }
 }
 
+/// Whether the number type of this name promises ulps and order; `Fast` promises a relative error of 2⁻¹² instead.
+pub fn promises_ulps(name: &str) -> bool {
+    name != Fast::<f32>::NAME
+}
+
 impl Number for f32 {
     type Raw = f32;
     const NAME: &'static str = "f32";

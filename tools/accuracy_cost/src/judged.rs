@@ -6,6 +6,7 @@ use kit::accuracy::part::Part;
 use kit::accuracy::reference::Id;
 use kit::accuracy::rows::{Key, Row, keys, measure_all};
 use kit::accuracy::subject::{Subject, Tiers};
+use kit::promises_ulps;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -87,7 +88,7 @@ pub(crate) fn quantiles(stride: u64, samples: u64, part: Part, step: impl Fn()) 
 /// The fixed laws in the types whose quantiles are not to step back.
 fn promising<F: Tiers>() -> impl Iterator<Item = Subject<F>> {
     let all = Subject::<F>::all(&Id::FIXED).into_iter();
-    all.filter(|s| monotone::promised(s.tier))
+    all.filter(|s| promises_ulps(s.tier))
 }
 
 /// Type and law of all [`quantiles`].

@@ -55,7 +55,7 @@ pub(crate) fn words(row: &Row) -> String {
 /// Ulps, or the relative error of what is not judged in ulps or has but half the bits.
 fn error(row: &Row) -> String {
     match row.max_ulp {
-        Some(ulps) if !row.name.starts_with("Fast<") => format!("{ulps:.2}"),
+        Some(ulps) if kit::promises_ulps(&row.name) => format!("{ulps:.2}"),
         _ => relative(row.max_relative),
     }
 }

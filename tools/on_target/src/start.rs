@@ -4,7 +4,7 @@ use crate::boards::{BOARDS, Board};
 use crate::build::{Build, workspace};
 use crate::failure::{Failure, Result, While};
 use crate::report::Report;
-use coslobe::{Ball, CircleShell, Disk, Lambert, Law, Spatial, SphereShell};
+use coslobe::{Ball, CircleShell, Disk, Lambert, Law, Spatial};
 use rand_pcg::Pcg32;
 use std::process::Command;
 
@@ -22,8 +22,8 @@ fn expected() -> Vec<String> {
     }
     let d: [f32; 3] = Ball.sample(&mut rng);
     lines.push(format!("Ball        {d:?}"));
-    let d: [f32; 3] = SphereShell.sample_around([1.0, 0.0, 0.0], &mut rng);
-    lines.push(format!("SphereShell {d:?} around +x"));
+    let d: [f32; 3] = Lambert.sample_around([1.0, 0.0, 0.0], &mut rng);
+    lines.push(format!("Lambert     {d:?} around +x"));
     lines.push(format!("Lambert at u = 0.25: {:?}", Lambert.warp(0.25f32)));
     lines
 }

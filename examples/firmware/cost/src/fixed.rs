@@ -3,8 +3,8 @@
 use crate::Meter;
 use crate::inputs::{COUNT, FROM_END, TAILS};
 use crate::laws::EXPONENT;
-use coslobe::fixed::{CosPower, FixedLaw, FixedSpatial};
-use coslobe::{Ball, CosSin, Fixed, Lambert, SphereShell};
+use coslobe::fixed::{CosPower, Fixed16Spatial, FixedLaw, FixedSpatial};
+use coslobe::{CosSin, Fixed};
 use fixed::traits::Fixed as Format;
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
@@ -41,9 +41,7 @@ pub fn every_fixed_law(meter: &mut Meter) {
     every_integer_law(&mut Counted(meter));
     let power = CosPower::new(U16F16::from_num(EXPONENT));
     law(meter, "CosPower(20)", &Fixed(power), false);
-    around(meter, "Ball", Ball);
-    around(meter, "SphereShell", SphereShell);
-    around(meter, "Lambert", Lambert);
+    every_integer_law(&mut Around(meter));
     around(meter, "CosPower(20)", power);
 }
 
@@ -57,6 +55,15 @@ fn around<L: FixedSpatial>(meter: &mut Meter, name: &'static str, law: L) {
         |(law, normal), rng| law.sample_around(*normal, rng),
         |_, _| <[I1F31; 3]>::default(),
     );
+}
+
+struct Around<'a, 'm>(&'a mut Meter<'m>);
+
+impl IntegerVisitor for Around<'_, '_> {
+    fn law<L: IntegerLaw>(&mut self, _: L) {}
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
+        around(self.0, L::ID.name(), law);
+    }
 }
 
 struct Counted<'a, 'm>(&'a mut Meter<'m>);

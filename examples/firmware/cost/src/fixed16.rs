@@ -2,8 +2,8 @@
 
 use crate::Meter;
 use crate::fixed::{pairs, probabilities, turns};
-use coslobe::fixed::{Fixed16Law, Fixed16Spatial};
-use coslobe::{Ball, CosSin, Fixed16, Lambert, SphereShell};
+use coslobe::fixed::{Fixed16Law, Fixed16Spatial, FixedSpatial};
+use coslobe::{CosSin, Fixed16};
 use fixed::types::{I0F16, I1F15, U0F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use rand_pcg::Pcg32;
@@ -12,9 +12,7 @@ use rand_xorshift::XorShiftRng;
 /// Every operation of every law.
 pub fn every_fixed16_law(meter: &mut Meter) {
     every_integer_law(&mut Counted(meter));
-    around(meter, "Ball", Ball);
-    around(meter, "SphereShell", SphereShell);
-    around(meter, "Lambert", Lambert);
+    every_integer_law(&mut Around(meter));
 }
 
 /// A lobe around a normal, which is an input as the law is.
@@ -27,6 +25,15 @@ fn around<L: Fixed16Spatial>(meter: &mut Meter, name: &'static str, law: L) {
         |(law, normal), rng| law.sample_around(*normal, rng),
         |_, _| <[I1F15; 3]>::default(),
     );
+}
+
+struct Around<'a, 'm>(&'a mut Meter<'m>);
+
+impl IntegerVisitor for Around<'_, '_> {
+    fn law<L: IntegerLaw>(&mut self, _: L) {}
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
+        around(self.0, L::ID.name(), law);
+    }
 }
 
 struct Counted<'a, 'm>(&'a mut Meter<'m>);

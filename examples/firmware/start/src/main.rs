@@ -1,8 +1,8 @@
-//! Start here: directions of each law over defmt. `cargo run` shows them on an emulated Cortex-M4F.
+//! Start here: directions over defmt. `cargo run` shows them on an emulated Cortex-M4F.
 #![no_std]
 #![no_main]
 
-use coslobe::{Ball, CircleShell, Disk, Lambert, Law, Spatial, SphereShell};
+use coslobe::{Ball, CircleShell, Disk, Lambert, Law, Spatial};
 use defmt::info;
 use defmt_semihosting as _; // carries what defmt logs to the emulator's output
 use rand_pcg::Pcg32;
@@ -25,8 +25,8 @@ fn main() -> ! {
     }
     let d: [f32; 3] = Ball.sample(&mut rng);
     info!("Ball        {}", d);
-    let d: [f32; 3] = SphereShell.sample_around([1.0, 0.0, 0.0], &mut rng);
-    info!("SphereShell {} around +x", d);
+    let d: [f32; 3] = Lambert.sample_around([1.0, 0.0, 0.0], &mut rng);
+    info!("Lambert     {} around +x", d);
 
     info!("Lambert at u = 0.25: {}", Lambert.warp(0.25f32));
     board::exit(true)

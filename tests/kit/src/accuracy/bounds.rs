@@ -6,6 +6,7 @@ use super::op::OPERATIONS;
 use super::reference::Id;
 use super::subject::Subject;
 use super::tally::{Stat, Tally};
+use crate::promises_ulps;
 
 const TABLE: &str = include_str!("../../../../docs/bounds.md");
 
@@ -43,12 +44,12 @@ fn section(tier: &str) -> Vec<Vec<String>> {
         .collect()
 }
 
-/// The error in the unit of its section: ulps, or 2⁻¹² of the true value for the `Fast` types.
+/// The error in the unit of its section: ulps, or 2⁻¹² of the true value for the types that promise no ulps.
 pub fn in_unit(tier: &str, stat: &Stat) -> f64 {
-    if tier.starts_with("Fast<") {
-        stat.relative * 4096.0
-    } else {
+    if promises_ulps(tier) {
         stat.ulps
+    } else {
+        stat.relative * 4096.0
     }
 }
 

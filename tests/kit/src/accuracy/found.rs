@@ -2,11 +2,11 @@
 
 use super::bounds::in_unit;
 use super::measure::{Input, judge};
-use super::op::{OPERATIONS, Op};
+use super::op::OPERATIONS;
 use super::reference::Id;
 use super::subject::Subject;
-use crate::Number;
-use coslobe::{Fast, Precise};
+use crate::catalogue::every_number;
+use crate::{Number, NumberVisitor};
 use serde::{Deserialize, Serialize};
 
 /// The worst input of an operation of a law in a number type.
@@ -71,21 +71,25 @@ impl Found {
 
     /// The error at the same input today; `None` if the row names nothing that exists.
     pub fn again(&self) -> Option<f64> {
-        fn of<T: Number>(found: &Found, op: Op) -> Option<f64> {
-            let at = found.at()?;
-            Some(errors_at::<T>(law_at::<T>(&found.law, at.exponent)?, at)[op as usize])
+        struct Again<'a>(&'a Found, Option<f64>);
+        impl NumberVisitor for Again<'_> {
+            fn number<T: Number>(&mut self) {
+                let Again(found, error) = self;
+                if found.tier == T::NAME {
+                    *error = found.error_in::<T>();
+                }
+            }
         }
-        let (op, _) = OPERATIONS
-            .iter()
-            .find(|(_, name)| *name == self.operation)?;
-        match self.tier.as_str() {
-            "f32" => of::<f32>(self, *op),
-            "f64" => of::<f64>(self, *op),
-            "Precise<f32>" => of::<Precise<f32>>(self, *op),
-            "Precise<f64>" => of::<Precise<f64>>(self, *op),
-            "Fast<f32>" => of::<Fast<f32>>(self, *op),
-            _ => None,
-        }
+        let mut again = Again(self, None);
+        every_number(&mut again);
+        again.1
+    }
+
+    fn error_in<T: Number>(&self) -> Option<f64> {
+        let names = &mut OPERATIONS.iter();
+        let (op, _) = names.find(|(_, name)| *name == self.operation)?;
+        let at = self.at()?;
+        Some(errors_at::<T>(law_at::<T>(&self.law, at.exponent)?, at)[*op as usize])
     }
 }
 

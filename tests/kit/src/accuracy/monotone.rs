@@ -8,11 +8,6 @@ use super::subject::Subject;
 use coslobe::CosSin;
 use rayon::prelude::*;
 
-/// Whether a number type promises it: a relative error of 2⁻¹² leaves room for steps either way.
-pub fn promised(tier: &str) -> bool {
-    !tier.starts_with("Fast<")
-}
-
 /// Steps back of `quantile` and `isf` between p and its upper neighbour, over the arguments, and
 /// the argument of the first.
 fn backward<T: Format>(s: &Subject<T>, arguments: impl ParallelIterator<Item = u64>) -> (u64, u64) {

@@ -41,12 +41,9 @@ where
     cdf::<T>(list, Id::CircleArc, move |x| half + x * c(FRAC_1_PI));
     quantile::<T>(list, Id::CircleArc, move |u| c(PI) * (u - half));
 
-    for (law, k) in [
-        (Id::Ball, 3.0),
-        (Id::SphereShell, 2.0),
-        (Id::Lambert, 1.0),
-        (Id::CosPower(EXPONENT), EXPONENT),
-    ] {
+    let spatial = Id::FIXED.into_iter().filter(|law| !law.planar());
+    for law in spatial.chain([Id::CosPower(EXPONENT)]) {
+        let k = law.exponent();
         let (n, next) = (c(k), c(k + 1.0));
         let root = c(1.0 / (k + 1.0));
         pdf::<T>(list, law, move |x| {

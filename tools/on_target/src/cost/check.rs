@@ -14,7 +14,7 @@ use std::path::Path;
 const CELLS: [[&str; 3]; 7] = [
     ["f32", "Lambert", "sample"],
     ["f32", "Disk", "quantile"],
-    ["f32", "SphereShell", "cdf"],
+    ["f32", "Ball", "cdf"],
     ["fixed", "Lambert", "sample_xorshift"],
     ["fixed", "Disk", "cdf"],
     ["fixed16", "Lambert", "sample_xorshift"],

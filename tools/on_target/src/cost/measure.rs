@@ -25,17 +25,6 @@ pub(crate) struct Measured {
     pub(crate) sections: Vec<String>,
 }
 
-/// Room for an image of all operations, which no M0 has: the emulator gives what it is told to.
-fn with_flash(board: &Board) -> Board {
-    Board {
-        options: match board.machine {
-            "microbit" => &["-global", "nrf51-soc.flash-size=1048576"],
-            _ => board.options,
-        },
-        ..*board
-    }
-}
-
 /// Builds and measures; `only` may name a law and an operation.
 pub(crate) fn subject(
     board: &Board,
@@ -46,7 +35,7 @@ pub(crate) fn subject(
 ) -> Result<Measured> {
     let image = Image::build(board, subject)?;
     let what = format!("{}: {}", board.name, subject.name);
-    let output = qemu::run(&with_flash(board), &image.elf, only, EMULATION)?;
+    let output = qemu::run(board, &image.elf, only, EMULATION)?;
     let counted = parse(&String::from_utf8_lossy(&output)).map_err(|e| of(&what, e))?;
     if counted.is_empty() {
         return Err(of(&what, format!("no operation {}", only.join(" "))));

@@ -108,8 +108,11 @@ mod tests {
 
     #[test]
     fn spoiled_lines_are_refused() {
-        let good = "Ball Fast<f32> values 64 00000000000000cc";
-        assert_eq!(parse(good), Some(("Ball", "Fast<f32>", Stream::Values, 64)));
+        let good = "Ball Precise<f32> values 64 00000000000000cc";
+        assert_eq!(
+            parse(good),
+            Some(("Ball", "Precise<f32>", Stream::Values, 64))
+        );
         for bad in [
             "",
             "Ball f32 samples 64",

@@ -2,20 +2,13 @@
 //! either, whatever the optimiser leaves of the checks.
 
 use super::image::build_as;
-use super::whole::{DOUBLE, FIXED, FIXED16, LITTLE, SINGLE, complete};
+use super::whole::{CALLS, LITTLE, complete};
 use super::{Shown, caught};
 use crate::boards::Board;
 use crate::failure::Result;
 use indicatif::ProgressBar;
 
 const LEVELS: [&str; 2] = ["s", "z"];
-
-const CALLS: [(&str, &str); 4] = [
-    ("f32 and Fast<f32>", SINGLE),
-    ("f64 and Precise", DOUBLE),
-    ("Fixed", FIXED),
-    ("Fixed16", FIXED16),
-];
 
 /// Processors with the least instructions and with the most; other Thumb cores lie between them.
 fn shown_on(board: &Board) -> bool {

@@ -12,14 +12,21 @@ use indicatif::ProgressBar;
 pub(super) const IMAGES: u64 = 10;
 
 /// Every operation in the types that compute in `f32` alone.
-pub(super) const SINGLE: &str = "everything::<f32>(x, rng) ^ everything::<Fast<f32>>(x, rng)";
+const SINGLE: &str = "everything::<f32>(x, rng) ^ everything::<Fast<f32>>(x, rng)";
 /// Every operation in the types that compute in `f64`.
-pub(super) const DOUBLE: &str = "everything::<f64>(x, rng) ^ everything::<Precise<f32>>(x, rng) \
+const DOUBLE: &str = "everything::<f64>(x, rng) ^ everything::<Precise<f32>>(x, rng) \
                       ^ everything::<Precise<f64>>(x, rng)";
 /// Every operation in fixed point, and checks of it.
-pub(super) const FIXED: &str = "fixed_everything(x, rng)";
+const FIXED: &str = "fixed_everything(x, rng)";
 /// The same in 16 bits.
-pub(super) const FIXED16: &str = "fixed16_everything(x, rng)";
+const FIXED16: &str = "fixed16_everything(x, rng)";
+/// All of them, and the types that they are in.
+pub(super) const CALLS: [(&str, &str); 4] = [
+    ("f32 and Fast<f32>", SINGLE),
+    ("f64 and Precise", DOUBLE),
+    ("Fixed", FIXED),
+    ("Fixed16", FIXED16),
+];
 /// What is planted, beside little else.
 pub(super) const LITTLE: &str = "spatial_sampler::<f32>(Lambert, rng)";
 const LITTLE_FIXED: &str = "fixed_sampler(Lambert, rng)";
