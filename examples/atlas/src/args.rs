@@ -1,5 +1,6 @@
 //! What the command line may say.
 
+use crate::catalog::LawName;
 use clap::{Parser, ValueEnum};
 use std::path::PathBuf;
 
@@ -26,32 +27,6 @@ pub(crate) struct Args {
     /// Exponent k of the law cos-power: a finite number ≥ 0.
     #[arg(long, default_value_t = 20.0, allow_negative_numbers = true)]
     pub(crate) exponent: f64,
-}
-
-/// A law, as the command line and the file names call it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
-pub(crate) enum LawName {
-    Disk,
-    CircleShell,
-    CircleArc,
-    Ball,
-    SphereShell,
-    #[value(alias = "sphere-area")]
-    Lambert,
-    CosPower,
-}
-
-impl LawName {
-    /// The command line's spelling.
-    /// Its figure's file, and its emblem's.
-    pub(crate) fn files(self) -> [String; 2] {
-        [".svg", "-small.svg"].map(|end| self.slug() + end)
-    }
-
-    pub(crate) fn slug(self) -> String {
-        self.to_possible_value()
-            .map_or_else(String::new, |value| value.get_name().to_owned())
-    }
 }
 
 impl Args {

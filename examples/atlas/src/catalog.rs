@@ -1,87 +1,45 @@
 //! The laws of the atlas: their words, their mathematics, and the crate's code for them.
 
-use crate::args::LawName;
 use crate::number::Number;
-use crate::random::Counter;
+use crate::probe::{Flat, Side, Solid, side};
 use crate::reference::Shape;
+use clap::ValueEnum;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, ExponentError, Lambert, Moments, Planar,
-    PlanarPoint, Radius, RadiusError, Real, Spatial, SpatialPoint, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Planar, PlanarPoint,
+    Radius, RadiusError, Real, Spatial, SpatialPoint, SphereShell,
 };
+use plot::axis::superscript;
 use rand_pcg::Pcg64;
 use std::error::Error;
-use std::f64::consts::TAU;
 
-/// What the atlas asks of a law in one number type.
-pub(crate) trait Probe<T>: Sync {
-    fn draw(&self, rng: &mut Counter) -> CosSin<f64>;
-    /// cos θ where the tail of the horizon is p.
-    fn cos_at(&self, p: T) -> T;
-    /// Density of θ alone, per radian.
-    fn marginal(&self, theta: T) -> f64;
-    /// Density of the direction: per radian in the plane, per steradian in space.
-    fn lobe(&self, theta: T) -> T;
-    fn moments(&self) -> Moments<T>;
+/// A law, as the command line and the file names call it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub(crate) enum LawName {
+    Disk,
+    CircleShell,
+    CircleArc,
+    Ball,
+    SphereShell,
+    #[value(alias = "sphere-area")]
+    Lambert,
+    CosPower,
 }
 
-struct Flat<L>(L);
-struct Solid<L>(L);
-
-impl<T: Number, L: Planar<T> + Sync> Probe<T> for Flat<L> {
-    fn draw(&self, rng: &mut Counter) -> CosSin<f64> {
-        let [sin, cos] = self.0.sample(rng).map(Into::into);
-        CosSin { cos, sin }
+impl LawName {
+    /// Its figure's file, and its emblem's.
+    pub(crate) fn files(self) -> [String; 2] {
+        [".svg", "-small.svg"].map(|end| self.slug() + end)
     }
 
-    fn cos_at(&self, p: T) -> T {
-        self.0.warp(p).cos
-    }
-
-    fn marginal(&self, theta: T) -> f64 {
-        self.0.pdf(theta).into()
-    }
-
-    fn lobe(&self, theta: T) -> T {
-        self.0.pdf(theta)
-    }
-
-    fn moments(&self) -> Moments<T> {
-        self.0.moments()
-    }
-}
-
-impl<T: Number, L: Spatial<T> + Sync> Probe<T> for Solid<L> {
-    fn draw(&self, rng: &mut Counter) -> CosSin<f64> {
-        let [x, cos, z] = self.0.sample(rng).map(Into::into);
-        let sin = f64::hypot(x, z);
-        CosSin { cos, sin }
-    }
-
-    fn cos_at(&self, p: T) -> T {
-        self.0.warp_sf(p).cos
-    }
-
-    fn marginal(&self, theta: T) -> f64 {
-        TAU * self.0.pdf(theta).into()
-    }
-
-    fn lobe(&self, theta: T) -> T {
-        self.0.pdf_solid_angle(theta)
-    }
-
-    fn moments(&self) -> Moments<T> {
-        self.0.moments()
+    /// The command line's spelling.
+    pub(crate) fn slug(self) -> String {
+        self.to_possible_value()
+            .map_or_else(String::new, |value| value.get_name().to_owned())
     }
 }
 
 /// Draws x and y of a point before it was normalised.
 type DrawPoint = Box<dyn Fn(&mut Pcg64) -> [f64; 2]>;
-
-/// One number type's side of a law.
-pub(crate) struct Side<T> {
-    pub(crate) probe: Box<dyn Probe<T>>,
-    pub(crate) shape: Shape,
-}
 
 /// A law with everything the atlas shows of it.
 pub(crate) struct Entry {
@@ -100,13 +58,6 @@ pub(crate) struct Entry {
 
 /// The crate's side of a law.
 struct Code(Side<f32>, Side<f64>, Option<DrawPoint>);
-
-fn side<T>(probe: impl Probe<T> + 'static, shape: Shape) -> Side<T> {
-    Side {
-        probe: Box::new(probe),
-        shape,
-    }
-}
 
 /// The tangent disks and balls have diameter 1, as the lobes have r(0) = 1.
 fn radius<T: Real + Number>() -> Result<Radius<T>, RadiusError> {
@@ -171,7 +122,7 @@ impl Entry {
             LawName::Lambert => spatial(Lambert, 1.0)?,
             LawName::CosPower => power(k)?,
         };
-        let (title, formula, measure, caption) = crate::words::of(name, k);
+        let (title, formula, measure, caption) = words(name, k);
         let spatial = name >= LawName::Ball;
         let Code(single, double, point) = code;
         Ok(Entry {
@@ -187,4 +138,65 @@ impl Entry {
             point,
         })
     }
+}
+
+/// Title, density, what the point is uniform by, and caption.
+fn words(name: LawName, k: f64) -> (&'static str, String, &'static str, String) {
+    let (title, formula, measure, caption) = match name {
+        LawName::Disk => (
+            "Disk",
+            "2 cos²θ / π",
+            "area of the disk",
+            "A point uniform by area in a disk that touches the origin, seen from the origin; \
+             sin θ follows Wigner’s semicircle, and the inverse is Kepler’s equation at eccentricity 1.",
+        ),
+        LawName::CircleShell => (
+            "CircleShell",
+            "cos θ / 2",
+            "radial shell on the circle",
+            "A shell of constant thickness along the ray, which is thinner across the curve where the \
+             ray grazes it; measured by arc length instead, the cosine cancels and CircleArc is left.",
+        ),
+        LawName::CircleArc => (
+            "CircleArc",
+            "1 / π",
+            "arc length of the circle",
+            "A point uniform by arc length: by the inscribed-angle theorem equal arcs are seen under \
+             equal angles, so the direction is uniform; CircleShell is its radial twin.",
+        ),
+        LawName::Ball => (
+            "Ball",
+            "2 cos³θ / π",
+            "volume of the ball",
+            "A point uniform by volume in a ball that touches the origin, seen from the origin; \
+             the picture is the projection of its points on the x-y plane.",
+        ),
+        LawName::SphereShell => (
+            "SphereShell",
+            "3 cos²θ / 2π",
+            "radial shell on the sphere",
+            "A shell of constant thickness along the ray: mean cos θ is ¾; measured by surface area \
+             instead, one cosine cancels, the mean is ⅔ and the law is Lambert’s.",
+        ),
+        LawName::Lambert => (
+            "Lambert = SphereArea",
+            "cos θ / π",
+            "area of the sphere",
+            "A point uniform by area on a sphere that touches the origin: Lambert’s law, whose lobe is \
+             that sphere itself; SphereShell is its radial twin.",
+        ),
+        LawName::CosPower => {
+            let caption = format!(
+                "The Phong lobe of exponent k = {k}: no tangent ball has it, but k = 1, 2, 3 are \
+                 Lambert, SphereShell and Ball."
+            );
+            let formula = if k.fract() == 0.0 && k < 1000.0 {
+                format!("{} cos{}θ / 2π", k + 1.0, superscript(k.abs()))
+            } else {
+                "(k+1) cosᵏθ / 2π".to_owned()
+            };
+            return ("CosPower", formula, "direction alone", caption);
+        }
+    };
+    (title, formula.to_owned(), measure, caption.to_owned())
 }

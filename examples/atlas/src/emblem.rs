@@ -43,8 +43,7 @@ pub(crate) fn svg(entry: &Entry) -> String {
 #[cfg(test)]
 mod tests {
     use super::svg;
-    use crate::args::LawName;
-    use crate::catalog::Entry;
+    use crate::catalog::{Entry, LawName};
     use clap::ValueEnum;
 
     /// With COSLOBE_BLESS set they are written instead.

@@ -1,7 +1,6 @@
 //! The figure of one law: lobe, histogram, errors.
 
-use crate::args::LawName;
-use crate::catalog::Entry;
+use crate::catalog::{Entry, LawName};
 use crate::errors;
 use crate::lobe;
 use crate::measure::{CELLS, Report};

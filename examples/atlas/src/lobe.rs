@@ -1,7 +1,6 @@
 //! The density in polar form beside the tangent disk or ball it comes from.
 
-use crate::args::LawName;
-use crate::catalog::Entry;
+use crate::catalog::{Entry, LawName};
 use crate::random::stream;
 use coslobe::rand_core::Rng;
 use plot::canvas::{AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, centred, line, px, text};

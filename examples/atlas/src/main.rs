@@ -13,10 +13,10 @@ mod naive;
 mod number;
 mod overview;
 mod page;
+mod probe;
 mod random;
 mod reference;
 mod sweep;
-mod words;
 
 use args::Args;
 use catalog::Entry;

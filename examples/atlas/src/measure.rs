@@ -1,7 +1,7 @@
 //! Sampling: the mean of cos θ, the histogram of θ, and the words of randomness.
 
-use crate::catalog::Side;
 use crate::number::Number;
+use crate::probe::Side;
 use crate::random::{Counter, stream};
 use crate::sweep::Sweep;
 use indicatif::ProgressBar;

@@ -1,7 +1,7 @@
 //! The sweep of the tail: how far cos θ is from the truth, the crate's and the hand-rolled one's.
 
-use crate::catalog::Side;
 use crate::number::Number;
+use crate::probe::Side;
 use crate::random::stream;
 use coslobe::rand_core::Rng;
 use kit::accuracy::double::Double;
