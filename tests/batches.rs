@@ -9,10 +9,11 @@ mod batches {
     pub(crate) mod spatial;
 }
 
-use batches::inputs::{LENGTHS, Words, WordsVisitor, every_number, numbers, pairs};
+use batches::inputs::{LENGTHS, bits, numbers, pairs};
 use batches::{planar, spatial};
 use coslobe::uniform::{TailBits, TurnBits};
 use coslobe::{Batch, CosSin, Law, LengthError};
+use kit::batch::{BatchNumber, BatchVisitor, every_batch_number};
 use kit::{Id, LawVisitor, Named, Number, PlanarLaw, SpatialLaw, catalogue};
 
 /// Runs `test` at every width that there is. The width is one for the whole process: one test calls this.
@@ -166,13 +167,13 @@ fn unequal<T: Batch + Number, L: Law<T>>(law: &L) {
 }
 
 /// Every function of slices, at a width.
-struct Functions<'a, T: Words> {
+struct Functions<'a, T: BatchNumber> {
     width: &'a str,
     tails: &'a [TailBits<T>],
     turns: &'a [TurnBits<T>],
 }
 
-impl<T: Words> Functions<'_, T> {
+impl<T: BatchNumber> Functions<'_, T> {
     fn law<L: Law<T> + Named>(&self, law: &L) {
         unary(law, self.width);
         components(law, self.width);
@@ -180,7 +181,7 @@ impl<T: Words> Functions<'_, T> {
     }
 }
 
-impl<T: Words> LawVisitor<T> for Functions<'_, T> {
+impl<T: BatchNumber> LawVisitor<T> for Functions<'_, T> {
     fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
         self.law::<L>(&law);
         planar::law(&law, self.tails, self.width);
@@ -194,9 +195,9 @@ impl<T: Words> LawVisitor<T> for Functions<'_, T> {
 /// Every law at every width.
 struct Laws;
 
-impl WordsVisitor for Laws {
-    fn number<T: Words>(&self) {
-        let (tails, turns) = (&T::tails()[..], &T::turns()[..]);
+impl BatchVisitor for Laws {
+    fn number<T: BatchNumber>(&mut self) {
+        let (tails, turns) = &bits::<T>();
         at_every_width(|width| {
             let mut functions = Functions::<T> {
                 width,
@@ -210,5 +211,5 @@ impl WordsVisitor for Laws {
 
 #[test]
 fn slices_give_the_bits_of_scalar_calls() {
-    every_number(&Laws);
+    every_batch_number(&mut Laws);
 }

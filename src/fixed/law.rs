@@ -11,7 +11,7 @@ use rand_core::TryRng;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no law in integers of the format `{F}`",
     label = "not known to `Fixed` or `Fixed16`",
-    note = "both know Disk, CircleShell, CircleArc, Ball, SphereShell and Lambert",
+    note = "both know every law of this crate that has no parameter, such as `Lambert`",
     note = "with an exponent it is `coslobe::fixed::CosPower` in integers, of `Fixed` alone; \
             `coslobe::CosPower` is that of floats"
 )]

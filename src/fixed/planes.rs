@@ -5,7 +5,8 @@ use super::q15::Q15;
 use super::q31::Q31;
 use ::fixed::types::{I1F15, I1F31, U0F16};
 
-/// The laws that [`Fixed`](type@crate::Fixed) knows. Sealed.
+/// The laws that [`Fixed`](type@crate::Fixed) knows: all of the crate, `CosPower` as
+/// [`fixed::CosPower`](super::CosPower). Sealed.
 ///
 /// `L::Direction` is what a sample is, `[I1F31; 2]` or `[I1F31; 3]`; `L::Density` is `U0F32`, of
 /// [`CosPower`](super::CosPower) `U16F16`, and can do what any unsigned number of the `fixed` crate
@@ -28,29 +29,29 @@ pub trait FixedLaw: Formulas<Q31> {}
 
 impl<L: Formulas<Q31>> FixedLaw for L {}
 
-/// Those in the plane: `Disk`, `CircleShell`, `CircleArc`. Sealed.
+/// Those in the plane. Sealed.
 pub trait FixedPlanar: FixedLaw + Formulas<Q31, Direction = [I1F31; 2]> {}
 
 impl<L: Formulas<Q31, Direction = [I1F31; 2]>> FixedPlanar for L {}
 
-/// Those in space: `Ball`, `SphereShell`, `Lambert` and [`CosPower`](super::CosPower). Sealed.
+/// Those in space, [`CosPower`](super::CosPower) among them. Sealed.
 pub trait FixedSpatial: FixedLaw + Formulas<Q31, Direction = [I1F31; 3]> {}
 
 impl<L: Formulas<Q31, Direction = [I1F31; 3]>> FixedSpatial for L {}
 
-/// The laws that [`Fixed16`](type@crate::Fixed16) knows. Sealed.
+/// The laws that [`Fixed16`](type@crate::Fixed16) knows: those without a parameter. Sealed.
 ///
 /// `L::Direction` is what a sample is, `[I1F15; 2]` or `[I1F15; 3]`; every density is a `U0F16`.
 pub trait Fixed16Law: Formulas<Q15, Density = U0F16> {}
 
 impl<L: Formulas<Q15, Density = U0F16>> Fixed16Law for L {}
 
-/// Those in the plane: `Disk`, `CircleShell`, `CircleArc`. Sealed.
+/// Those in the plane. Sealed.
 pub trait Fixed16Planar: Fixed16Law + Formulas<Q15, Direction = [I1F15; 2]> {}
 
 impl<L> Fixed16Planar for L where L: Formulas<Q15, Density = U0F16, Direction = [I1F15; 2]> {}
 
-/// Those in space: `Ball`, `SphereShell` and `Lambert`. Sealed.
+/// Those in space. Sealed.
 pub trait Fixed16Spatial: Fixed16Law + Formulas<Q15, Direction = [I1F15; 3]> {}
 
 impl<L> Fixed16Spatial for L where L: Formulas<Q15, Density = U0F16, Direction = [I1F15; 3]> {}

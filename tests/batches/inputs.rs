@@ -1,8 +1,8 @@
 //! Inputs that are hard: ends, neighbours of every branch, subnormal numbers, infinities and NaN, and noise.
 
 use coslobe::uniform::{TailBits, TurnBits};
-use coslobe::{Batch, Fast};
 use kit::Number;
+use kit::batch::BatchNumber;
 
 /// Shorter and longer than a block, and none.
 pub(crate) const LENGTHS: std::ops::RangeInclusive<usize> = 0..=67;
@@ -70,77 +70,32 @@ pub(crate) fn pairs<T: Number>() -> (Vec<T>, Vec<T>) {
     list.into_iter().unzip()
 }
 
-/// Words whose leading zeros, or ones, are of every number.
+/// Words whose leading zeros, or ones, are of every number; each with noise, zeros and ones after it.
 fn hard_words() -> Vec<u64> {
     let ends = [0, 1, u64::MAX, 1 << 63, (1 << 63) - 1, 1 << 61, 3 << 61];
     let noisy = (0..64).flat_map(|n| [noise(n) >> n, !(noise(n) >> n), 1 << n]);
-    ends.into_iter()
-        .chain(noisy)
-        .chain((0..300).map(noise))
+    let words = ends.into_iter().chain(noisy).chain((0..300).map(noise));
+    let after = |word: u64| {
+        [
+            0,
+            u64::MAX,
+            noise(word),
+            noise(word) >> (word & 63),
+            word << 32,
+        ]
+    };
+    words
+        .flat_map(|word| after(word).into_iter().flat_map(move |next| [word, next]))
         .collect()
 }
 
-/// Words of twice the length: each with noise, zeros and ones below it.
-fn hard_double_words() -> Vec<u128> {
-    let lower = |n: u64| [0, u64::MAX, noise(n), noise(n) >> (n & 63)];
-    let pair = |high: u64| lower(high).map(|low| u128::from(high) << 64 | u128::from(low));
-    hard_words().into_iter().flat_map(pair).collect()
-}
-
-/// As many as `n`, from the upper and from the lower bits of hard words.
-fn hard_halves(n: usize) -> Vec<u32> {
-    let halves = |w: u64| [(w >> 32) as u32, w as u32];
-    hard_words()
-        .into_iter()
-        .rev()
-        .flat_map(halves)
-        .cycle()
-        .take(n)
-        .collect()
-}
-
-/// The words of one probability and of one azimuth.
-pub(crate) trait Words: Batch + Number {
-    fn tails() -> Vec<TailBits<Self>>;
-    fn turns() -> Vec<TurnBits<Self>>;
-}
-
-impl Words for f32 {
-    fn tails() -> Vec<u64> {
-        hard_words()
-    }
-    fn turns() -> Vec<u32> {
-        hard_halves(hard_words().len())
-    }
-}
-
-impl Words for f64 {
-    fn tails() -> Vec<u128> {
-        hard_double_words()
-    }
-    fn turns() -> Vec<u64> {
-        let words = hard_words().into_iter().rev().cycle();
-        words.take(hard_double_words().len()).collect()
-    }
-}
-
-impl Words for Fast<f32> {
-    fn tails() -> Vec<u32> {
-        hard_halves(700).into_iter().rev().collect()
-    }
-    fn turns() -> Vec<u32> {
-        hard_halves(700)
-    }
-}
-
-/// Is shown number types.
-pub(crate) trait WordsVisitor {
-    fn number<T: Words>(&self);
-}
-
-/// Shows every number type that batches have.
-pub(crate) fn every_number(visitor: &impl WordsVisitor) {
-    visitor.number::<f32>();
-    visitor.number::<f64>();
-    visitor.number::<Fast<f32>>();
+/// Bits of probabilities and as many of azimuths.
+pub(crate) fn bits<T: BatchNumber>() -> (Vec<TailBits<T>>, Vec<TurnBits<T>>) {
+    let words = hard_words();
+    let mut forwards = words.iter().copied().cycle();
+    let mut backwards = words.iter().rev().copied().cycle();
+    let mut next = || forwards.next().expect("a word");
+    let mut other = || backwards.next().expect("a word");
+    let each = |_| (T::tail_bits(&mut next), T::turn_bits(&mut other));
+    (0..words.len()).map(each).unzip()
 }

@@ -1,4 +1,4 @@
-//! One source for every law and number type: `COSLOBE_LAW=Ball COSLOBE_TYPE='Fast<f32>' cargo run -p law`.
+//! One source for every law and number type: `COSLOBE_LAW=Ball COSLOBE_TYPE='Precise<f32>' cargo run -p law`.
 //! Nothing but what they name is in the image.
 
 use std::{env, fs, path::Path};

@@ -11,6 +11,7 @@
 #[cfg(feature = "std")]
 pub mod accuracy;
 mod answer;
+pub mod batch;
 pub mod catalogue;
 mod directions;
 #[cfg(feature = "peers")]

@@ -5,11 +5,12 @@ use crate::contender::Contender;
 use crate::peers::{concentric, lobe};
 use coslobe::batch::width::{Width, limit, widest};
 use coslobe::rand_core::Rng;
-use coslobe::uniform::{TailBits, TurnBits};
-use coslobe::{Ball, Batch, CosPower, CosSin, Disk, Fast, Lambert, Planar, Spatial, SphereShell};
+use coslobe::{CosSin, Disk, Planar, Spatial};
+use kit::batch::{BatchNumber, BatchVisitor, every_batch_number};
+use kit::catalogue::every_law;
 use kit::study::cell::{Cell, generator};
 use kit::study::inputs::Uniforms;
-use kit::{Id, Number};
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 use rand_distr::{Distribution, UnitSphere};
 use std::hint::black_box;
 use std::ops::Range;
@@ -112,37 +113,7 @@ fn uniforms<T: Number>() -> [Vec<T>; 2] {
     })
 }
 
-/// Words of a type.
-trait Words: Batch + Number {
-    fn words(n: usize) -> (Vec<TailBits<Self>>, Vec<TurnBits<Self>>);
-}
-
-fn words<A, B>(n: usize, next: impl Fn(&mut dyn Rng) -> (A, B)) -> (Vec<A>, Vec<B>) {
-    let mut rng = generator();
-    (0..n).map(|_| next(&mut rng)).unzip()
-}
-
-impl Words for f32 {
-    fn words(n: usize) -> (Vec<u64>, Vec<u32>) {
-        words(n, |rng| (rng.next_u64(), rng.next_u32()))
-    }
-}
-
-impl Words for f64 {
-    fn words(n: usize) -> (Vec<u128>, Vec<u64>) {
-        let wide =
-            |rng: &mut dyn Rng| u128::from(rng.next_u64()) << 64 | u128::from(rng.next_u64());
-        words(n, |rng| (wide(rng), rng.next_u64()))
-    }
-}
-
-impl Words for Fast<f32> {
-    fn words(n: usize) -> (Vec<u32>, Vec<u32>) {
-        words(n, |rng| (rng.next_u32(), rng.next_u32()))
-    }
-}
-
-fn spatial<T: Words, L: Spatial<T> + Copy + 'static>(list: &mut List, id: Id, law: L) {
+fn spatial<T: BatchNumber, L: Spatial<T> + Copy + 'static>(list: &mut List, id: Id, law: L) {
     let ([u, v], mut out) = (uniforms::<T>(), vec![[T::ZERO; 3]; SLICE]);
     let pairs: Vec<_> = u.iter().zip(&v).map(|(&u, &v)| [u, v]).collect();
     let each = move |range: Range<usize>| {
@@ -169,7 +140,10 @@ fn spatial<T: Words, L: Spatial<T> + Copy + 'static>(list: &mut List, id: Id, la
     });
 
     let mut out = [(); 3].map(|()| vec![T::ZERO; SLICE]);
-    let (theta, phi) = T::words(ALL);
+    let mut rng = generator();
+    let mut next = || rng.next_u64();
+    let bits = |_| (T::tail_bits(&mut next), T::turn_bits(&mut next));
+    let (theta, phi): (Vec<_>, Vec<_>) = (0..ALL).map(bits).unzip();
     list.slices::<T>(id, SAMPLE, "sample_from_bits_slice", move |range| {
         let (theta, phi) = (black_box(&theta[range.clone()]), &phi[range]);
         let out = out.each_mut().map(|x| &mut x[..]);
@@ -179,7 +153,7 @@ fn spatial<T: Words, L: Spatial<T> + Copy + 'static>(list: &mut List, id: Id, la
 }
 
 /// `Disk.warp`, whose root is the hardest.
-fn disk<T: Words>(list: &mut List)
+fn disk<T: BatchNumber>(list: &mut List)
 where
     Disk: Planar<T>,
 {
@@ -211,13 +185,21 @@ where
     });
 }
 
-fn ours<T: Words>(list: &mut List) {
-    spatial::<T, _>(list, Id::Lambert, Lambert);
-    spatial::<T, _>(list, Id::Ball, Ball);
-    spatial::<T, _>(list, Id::SphereShell, SphereShell);
-    let lobe = CosPower::new(T::of(EXPONENT)).expect("an exponent");
-    spatial::<T, _>(list, Id::CosPower(EXPONENT), lobe);
-    disk::<T>(list);
+impl<T: BatchNumber> LawVisitor<T> for List {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, _: L) {
+        if id == Id::Disk {
+            disk::<T>(self);
+        }
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        spatial::<T, L>(self, id, law);
+    }
+}
+
+impl BatchVisitor for List {
+    fn number<T: BatchNumber>(&mut self) {
+        every_law::<T>(self, &[EXPONENT]);
+    }
 }
 
 fn peers(list: &mut List) {
@@ -250,9 +232,7 @@ fn at_widths(widths: Vec<Width>) -> List {
         widths,
         all: Vec::new(),
     };
-    ours::<f32>(&mut list);
-    ours::<f64>(&mut list);
-    ours::<Fast<f32>>(&mut list);
+    every_batch_number(&mut list);
     list
 }
 
