@@ -6,7 +6,7 @@ use crate::{CosSin, Tails};
 
 /// An intermediate result; where the arithmetic keeps it, with what rounding took from it.
 pub trait Wide<W>: Copy + Send + Sync + 'static {
-    fn exact(x: W) -> Self;
+    fn from_value(x: W) -> Self;
     fn value(self) -> W;
     /// The value as far as one number holds it, without arithmetic.
     fn leading(self) -> W;
@@ -105,7 +105,7 @@ pub trait Kernel: Scalar {
 /// does not aim that high, is its own wide type.
 impl<W: Kernel<Wide = W>> Wide<W> for W {
     #[inline(always)]
-    fn exact(x: W) -> W {
+    fn from_value(x: W) -> W {
         x
     }
     #[inline(always)]

@@ -107,7 +107,7 @@ impl<W: Kernel> Formulas<W> for CircleArc {
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let (p, is_lower) = p.nearer();
         let d = W::HALF - p;
-        let theta = W::Wide::exact(d).times(W::CONSTANTS.pi).value();
+        let theta = W::Wide::from_value(d).times(W::CONSTANTS.pi).value();
         theta.negate_if_odd(is_lower)
     }
 
@@ -126,7 +126,7 @@ impl Parameterless for CircleArc {
         Moments {
             mean_cos,
             var_cos: variance(Pair::ratio(1, 2), mean_cos),
-            mean_theta: Pair::exact(B::ZERO),
+            mean_theta: Pair::from_value(B::ZERO),
             var_theta: c.pi.mul(c.pi).mul(Pair::ratio(1, 12)),
             entropy: c.ln_pi,
         }

@@ -126,9 +126,9 @@ impl Parameterless for CircleShell {
         Moments {
             mean_cos,
             var_cos: variance(Pair::ratio(2, 3), mean_cos),
-            mean_theta: Pair::exact(B::ZERO),
+            mean_theta: Pair::from_value(B::ZERO),
             var_theta: c.half_pi.mul(c.half_pi).add(Pair::ratio(-2, 1)),
-            entropy: Pair::exact(B::ONE),
+            entropy: Pair::from_value(B::ONE),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Real exponents: the Phong lobe.
 
 use super::Spatial;
+use super::exponent::{ExponentError, admitted};
 use super::formulas::{Formulas, Own, Phases, pdf_solid_angle, variance};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
@@ -75,48 +76,15 @@ impl<T: Real + defmt::Format> defmt::Format for CosPower<T> {
     }
 }
 
-/// Why an exponent was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ExponentError {
-    /// The exponent is NaN.
-    NotANumber,
-    /// The exponent is negative.
-    Negative,
-    /// The exponent is infinite.
-    Infinite,
-}
-
-impl fmt::Display for ExponentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            ExponentError::NotANumber => "the exponent is NaN; expected a finite number ≥ 0",
-            ExponentError::Negative => "the exponent is negative; expected a finite number ≥ 0",
-            ExponentError::Infinite => "the exponent is infinite; expected a finite number ≥ 0",
-        })
-    }
-}
-
-impl core::error::Error for ExponentError {}
-
 impl<T: Real> CosPower<T> {
     /// The law ∝ cosᵏθ; −0 is 0.
     ///
     /// # Errors
     /// If `k` is NaN, negative or infinite.
     pub fn new(k: T) -> Result<Self, ExponentError> {
-        if k.is_nan() {
-            Err(ExponentError::NotANumber)
-        } else if k < T::ZERO {
-            Err(ExponentError::Negative)
-        } else if !k.is_finite() {
-            Err(ExponentError::Infinite)
-        } else {
-            let exponent = k.abs();
-            let lobe = Lobe::new(Holds::from_number(exponent));
-            Ok(CosPower { exponent, lobe })
-        }
+        let exponent = admitted(k)?;
+        let lobe = Lobe::new(Holds::from_number(exponent));
+        Ok(CosPower { exponent, lobe })
     }
 
     /// The exponent k.
@@ -152,7 +120,7 @@ impl<W: Kernel> Lobe<W> {
     fn new(k: W) -> Self {
         let next = W::Wide::two_sum(k, W::ONE);
         Lobe {
-            k: W::Wide::exact(k),
+            k: W::Wide::from_value(k),
             next,
             scale: W::scale(next.mul(W::CONSTANTS.recip_two_pi)),
             ln_scale: W::ln_wide(next).add(W::CONSTANTS.ln_two_pi.neg()),
@@ -268,7 +236,7 @@ fn moments<B: Native>(k: B) -> Moments<B> {
     let entropy = <B as Native>::CONSTANTS
         .ln_two_pi
         .add(ln(next).neg())
-        .add(Pair::exact(k).div(next));
+        .add(Pair::from_value(k).div(next));
     Moments {
         mean_cos: mean_cos.value(),
         var_cos: mean_cos.div(plus(3)).div(plus(2)).value(),

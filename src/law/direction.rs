@@ -3,9 +3,9 @@
 
 use crate::CosSin;
 use crate::arithmetic::holds::Holds;
-use crate::arithmetic::kernel::Wide;
+use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::number::Real;
-use crate::number::tier::Tier;
+use crate::number::tier::{Margin, Tier};
 use crate::scalar::Scalar;
 
 /// An azimuth by what it is given as, for either phase of a number type.
@@ -32,6 +32,18 @@ impl<T: Real> Azimuth<T> {
             Azimuth::Word(bits) => T::accurate_turn_from_bits(bits),
             Azimuth::Turn(turn) => at_turn(turn),
         }
+    }
+
+    /// Its cosine and sine, each rounded once.
+    #[inline(always)]
+    pub(crate) fn rounded(self) -> CosSin<T> {
+        CosSin::from_array(T::rounded(
+            Margin::Relative,
+            #[inline(always)]
+            || self.quick().to_array(),
+            #[inline(always)]
+            || self.accurate().to_array(),
+        ))
     }
 }
 
@@ -61,4 +73,28 @@ pub(crate) fn polar<T: Real, W: Holds<T>>(d: [T; 3]) -> (CosSin<W>, W) {
     let turn = z.atan2(x) * W::CONSTANTS.recip_two_pi.value();
     let turn = if turn < W::ZERO { turn + W::ONE } else { turn };
     (W::by_the_smaller(CosSin { cos, sin }), turn)
+}
+
+/// The azimuth of a direction in turns, rounded once.
+#[inline]
+pub(crate) fn turn<T: Real>(d: [T; 3]) -> T {
+    let [turn] = T::rounded(
+        Margin::Unbounded,
+        #[inline(always)]
+        || [polar::<T, T::Quick>(d).1],
+        || [polar::<T, T::Accurate>(d).1],
+    );
+    turn
+}
+
+/// The angle θ of (cos θ, sin θ), rounded once.
+#[inline(always)]
+pub(crate) fn angle<T: Real>(at: CosSin<T>) -> T {
+    let [theta] = T::rounded(
+        Margin::Relative,
+        #[inline(always)]
+        || [T::Quick::angle(Holds::from_components(at))],
+        || [T::Accurate::angle(Holds::from_components(at))],
+    );
+    theta
 }

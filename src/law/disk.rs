@@ -123,7 +123,7 @@ impl Parameterless for Disk {
         Moments {
             mean_cos,
             var_cos: variance(Pair::ratio(3, 4), mean_cos),
-            mean_theta: Pair::exact(B::ZERO),
+            mean_theta: Pair::from_value(B::ZERO),
             var_theta: c
                 .pi
                 .mul(c.pi)

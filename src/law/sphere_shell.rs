@@ -123,10 +123,10 @@ impl<W: Kernel> Formulas<W> for SphereShell {
         if p.lower().is_negligible() || p.upper().is_negligible() {
             return W::angle(at);
         }
-        let (one, cos) = (W::Wide::exact(W::ONE), p.upper().cbrt_wide());
+        let (one, cos) = (W::Wide::from_value(W::ONE), p.upper().cbrt_wide());
         let next = one.add(cos);
         let square = next.div(next.add(cos.mul(cos)));
-        let sin = square.mul(W::Wide::exact(p.lower())).sqrt();
+        let sin = square.mul(W::Wide::from_value(p.lower())).sqrt();
         W::angle(CosSin { cos: at.cos, sin })
     }
 

@@ -1,6 +1,7 @@
 //! Promise: no result errs by more than `docs/bounds.md`, or its own documentation, allows.
 
 mod arb;
+mod fixed_directions;
 mod fixed_frames;
 mod frames_and_weights;
 mod moments;

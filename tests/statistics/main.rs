@@ -4,6 +4,7 @@
 //!
 //! The thorough run: `cargo test --release --test statistics -- --ignored --nocapture`.
 
+mod drawn;
 mod halves;
 mod integers;
 mod measures;

@@ -42,7 +42,7 @@ pub(crate) fn sine_gap(x: Double, series: &Series) -> Double {
 pub(crate) fn sin_cos_gap(x: Double) -> (CosSin<Double>, Double) {
     let rest = sine_gap(x, &SIN);
     let sin = add_smaller(x, rest);
-    let square = add_raw(Double::exact(1.0), -square_raw(sin));
+    let square = add_raw(Double::from_f64(1.0), -square_raw(sin));
     let cos = sqrt_of_positive(square);
     (CosSin { cos, sin }, rest)
 }
@@ -60,7 +60,7 @@ pub(crate) fn at_angle(theta: f64) -> CosSin<Double> {
     if a > QUARTER_PI.hi {
         swapped(sin_cos(from_end(a)))
     } else {
-        sin_cos(Double::exact(a))
+        sin_cos(Double::from_f64(a))
     }
 }
 
@@ -83,7 +83,7 @@ pub(crate) fn at_eighth(x: Double) -> CosSin<Double> {
 #[inline]
 fn atan_of_ratio(y: Double, x: Double) -> Double {
     let start = libm::atan2(y.hi, x.hi);
-    let CosSin { cos, sin } = sin_cos(Double::exact(start));
+    let CosSin { cos, sin } = sin_cos(Double::from_f64(start));
     let across = gap(mul_raw(y, cos), mul_raw(x, sin));
     let along = x.hi * cos.hi + y.hi * sin.hi;
     Double::fast_two_sum(start, across / along)
@@ -93,7 +93,7 @@ fn atan_of_ratio(y: Double, x: Double) -> Double {
 #[inline]
 pub(crate) fn atan2(y: Double, x: Double) -> Double {
     if y.hi.is_nan() || x.hi.is_nan() {
-        return Double::exact(f64::NAN);
+        return Double::from_f64(f64::NAN);
     }
     let behind = x.hi.is_sign_negative();
     let below = y.hi.is_sign_negative();
@@ -103,7 +103,7 @@ pub(crate) fn atan2(y: Double, x: Double) -> Double {
     let (small, large) = if steep { (x, y) } else { (y, x) };
     let angle = if small.hi == 0.0 || !large.hi.is_finite() {
         if small.hi.is_finite() {
-            Double::exact(0.0)
+            Double::from_f64(0.0)
         } else {
             QUARTER_PI
         }

@@ -24,7 +24,7 @@ impl Double {
     }
 
     #[inline(always)]
-    pub(crate) const fn exact(hi: f64) -> Self {
+    pub(crate) const fn from_f64(hi: f64) -> Self {
         Double { hi, lo: 0.0 }
     }
 

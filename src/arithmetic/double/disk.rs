@@ -23,7 +23,10 @@ impl Arc {
     #[inline(always)]
     fn from_end(x: Double) -> Arc {
         let (at, rest) = sin_cos_gap(x);
-        let versine = quotient(square_raw(at.sin), add_smaller(Double::exact(1.0), at.cos));
+        let versine = quotient(
+            square_raw(at.sin),
+            add_smaller(Double::from_f64(1.0), at.cos),
+        );
         let area = add_raw(mul_raw(x, versine), -mul_raw(rest, at.cos));
         Arc { at, area }
     }
@@ -76,7 +79,7 @@ fn tail_of_end_area(area: Double) -> Double {
 
 #[inline(always)]
 fn tail_of_axis_area(area: Double) -> Double {
-    add_smaller(Double::exact(0.5), -mul_raw(area, RECIP_PI))
+    add_smaller(Double::from_f64(0.5), -mul_raw(area, RECIP_PI))
 }
 
 /// Nearer tail at |θ| = a ≤ π/2.
@@ -85,7 +88,7 @@ pub(crate) fn tail_at_angle(a: f64) -> Double {
     if a > QUARTER_PI.hi {
         tail_of_end_area(Arc::from_end(from_end(a)).area)
     } else {
-        tail_of_axis_area(Arc::from_axis(Double::exact(a)).area)
+        tail_of_axis_area(Arc::from_axis(Double::from_f64(a)).area)
     }
 }
 
@@ -94,7 +97,7 @@ pub(crate) fn tail_at_angle(a: f64) -> Double {
 pub(crate) fn tail_at_direction(cos: Double, sin: Double) -> Double {
     let at_end = cos.hi <= sin.hi;
     let small = if at_end { cos } else { sin };
-    let start = Double::exact(libm::asin(small.hi));
+    let start = Double::from_f64(libm::asin(small.hi));
     if at_end {
         let arc = Arc::from_end(start);
         let d = gap(small, arc.at.sin) / arc.at.cos.hi;
@@ -114,16 +117,16 @@ fn corrected(p: Double) -> (f64, Arc, f64, bool) {
         let s = cbrt_times(<f64 as Native>::CONSTANTS.twelve_pi, p.hi);
         let t = s * s;
         let start = s * 0.5 + s * t * horner(t, table.kepler_tail);
-        let arc = Arc::from_end(Double::exact(start));
+        let arc = Arc::from_end(Double::from_f64(start));
         let step = arc.step_to(mul_raw(p, PI), arc.at.sin.hi);
         (start, arc, step, true)
     } else {
         // From the pair's ½ − p: near ½ it is all that p holds.
-        let d = sum(Double::exact(0.5), -p);
+        let d = sum(Double::from_f64(0.5), -p);
         let w = d.hi * d.hi;
         let start =
             d.hi * (<f64 as Native>::CONSTANTS.half_pi.hi + w * horner(w, table.kepler_centre));
-        let arc = Arc::from_axis(Double::exact(start));
+        let arc = Arc::from_axis(Double::from_f64(start));
         let step = arc.step_to(mul_raw(d, PI), arc.at.cos.hi);
         (start, arc, step, false)
     }

@@ -11,7 +11,7 @@ fn the_angle_of_zeros_and_infinities_is_that_of_std() {
     let values = [0.0, -0.0, 1.0, -1.0, f64::INFINITY, f64::NEG_INFINITY];
     for y in values {
         for x in values {
-            let got = angle::atan2(Double::exact(y), Double::exact(x)).hi;
+            let got = angle::atan2(Double::from_f64(y), Double::from_f64(x)).hi;
             let want = std::primitive::f64::atan2(y, x);
             assert_eq!(got.to_bits(), want.to_bits(), "atan2({y}, {x})");
         }
@@ -35,7 +35,7 @@ fn no_argument_panics_and_nan_stays() {
     ];
     for a in hostile {
         for b in hostile {
-            let (x, y) = (Double::exact(a), Double::exact(b));
+            let (x, y) = (Double::from_f64(a), Double::from_f64(b));
             let CosSin { cos, sin } = angle::sin_cos(x);
             let turned = angle::at_eighth(x);
             let folded = angle::at_angle(a);

@@ -10,7 +10,7 @@ use crate::arithmetic::native::float::Float;
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as 2 atanh(f/(2 + f)).
 #[inline]
 fn ln_near_one(f: Double) -> Double {
-    let z = quotient(f, add_smaller(Double::exact(2.0), f));
+    let z = quotient(f, add_smaller(Double::from_f64(2.0), f));
     let w = square_raw(z);
     let rest = mul_raw(z, mul_raw(w, ATANH.sum(w)));
     scaled(add_smaller(z, rest), 2.0)
@@ -20,7 +20,7 @@ fn ln_near_one(f: Double) -> Double {
 #[inline]
 pub(crate) fn ln(x: Double) -> Double {
     if !(x.hi > 0.0 && x.hi.is_finite()) {
-        return Double::exact(libm::log(x.hi));
+        return Double::from_f64(libm::log(x.hi));
     }
     let (m, e) = x.hi.split(f64::ROOT_HALF);
     let part = ln_near_one(Double::two_sum(m - 1.0, x.lo.scale(e.wrapping_neg())));
@@ -28,7 +28,7 @@ pub(crate) fn ln(x: Double) -> Double {
         part
     } else {
         // |e|·ln 2 is at least twice the part, so nothing cancels.
-        add_smaller(product(LN_2, Double::exact(f64::from(e))), part)
+        add_smaller(product(LN_2, Double::from_f64(f64::from(e))), part)
     }
 }
 
@@ -38,7 +38,7 @@ pub(crate) fn ln_1p(x: Double) -> Double {
     if x.hi > -0.29 && x.hi < 0.41 {
         ln_near_one(x)
     } else {
-        ln(sum(Double::exact(1.0), x))
+        ln(sum(Double::from_f64(1.0), x))
     }
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn ln_1p(x: Double) -> Double {
 #[inline]
 fn exp_m1_near_zero(r: Double) -> Double {
     let v = square_raw(r);
-    let two = Double::exact(2.0);
+    let two = Double::from_f64(2.0);
     let even = add_raw(two, mul_raw(v, COTH.sum(v)));
     quotient(scaled(r, 2.0), add_smaller(even, -r))
 }
@@ -57,10 +57,10 @@ fn exp_m1_near_zero(r: Double) -> Double {
 pub(crate) fn exp(x: Double) -> (Double, i32) {
     const LIMIT: f64 = 700_000.0;
     if x.hi > LIMIT {
-        return (Double::exact(1.0), 1 << 21);
+        return (Double::from_f64(1.0), 1 << 21);
     }
     if x.hi < -LIMIT {
-        return (Double::exact(1.0), -(1 << 21));
+        return (Double::from_f64(1.0), -(1 << 21));
     }
     let turns = x.hi / LN_2.hi;
     let n = (turns + 0.5_f64.copysign(turns)) as i32;
@@ -72,7 +72,7 @@ pub(crate) fn exp(x: Double) -> (Double, i32) {
         second.hi,
         second.lo + (first.lo + (x.lo + k * LN_2_SHORT[2])),
     );
-    (add_smaller(Double::exact(1.0), exp_m1_near_zero(r)), n)
+    (add_smaller(Double::from_f64(1.0), exp_m1_near_zero(r)), n)
 }
 
 /// eˣ − 1 for x ≤ 0.
@@ -83,5 +83,5 @@ pub(crate) fn exp_m1(x: Double) -> Double {
     }
     let (m, n) = exp(x);
     let power = 1.0.scale(n);
-    add_smaller(Double::exact(-1.0), normalise(scaled(m, power)))
+    add_smaller(Double::from_f64(-1.0), normalise(scaled(m, power)))
 }

@@ -98,10 +98,14 @@ mod tests {
             let hi = f64::from_bits(1023 << 52 | s);
             for n in -1022..=1023 {
                 let want = (hi * power_of_two(n)).to_bits();
-                assert_eq!(Grid::F64.nearest(Double::exact(-hi), n), want, "{hi:e} {n}");
+                assert_eq!(
+                    Grid::F64.nearest(Double::from_f64(-hi), n),
+                    want,
+                    "{hi:e} {n}"
+                );
                 let want = ((hi * power_of_two(n)) as f32).to_bits();
                 assert_eq!(
-                    Grid::F32.nearest(Double::exact(hi), n),
+                    Grid::F32.nearest(Double::from_f64(hi), n),
                     u64::from(want),
                     "{hi:e} {n}"
                 );
@@ -110,18 +114,22 @@ mod tests {
                 // Halved exactly, then rounded by the last product.
                 let want = (hi * power_of_two(-below) * power_of_two(-1022)).to_bits();
                 let n = -1022 - below;
-                assert_eq!(Grid::F64.nearest(Double::exact(hi), n), want, "{hi:e} {n}");
+                assert_eq!(
+                    Grid::F64.nearest(Double::from_f64(hi), n),
+                    want,
+                    "{hi:e} {n}"
+                );
             }
         }
         assert_eq!(
-            Grid::F64.nearest(Double::exact(1.0), 1024),
+            Grid::F64.nearest(Double::from_f64(1.0), 1024),
             f64::INFINITY.to_bits()
         );
         assert_eq!(
-            Grid::F64.nearest(Double::exact(1.0), 1 << 26),
+            Grid::F64.nearest(Double::from_f64(1.0), 1 << 26),
             f64::INFINITY.to_bits()
         );
-        assert_eq!(Grid::F64.nearest(Double::exact(1.0), -(1 << 26)), 0);
+        assert_eq!(Grid::F64.nearest(Double::from_f64(1.0), -(1 << 26)), 0);
     }
 
     /// A trailing part decides a tie and nothing else.

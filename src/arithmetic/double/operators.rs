@@ -13,7 +13,7 @@ fn settled(leading: f64, result: Double) -> Double {
     if leading.is_finite() && leading != 0.0 {
         result
     } else {
-        Double::exact(leading)
+        Double::from_f64(leading)
     }
 }
 
@@ -26,7 +26,7 @@ impl Add for Double {
         if sum.hi.is_finite() && sum.hi != 0.0 {
             sum
         } else {
-            Double::exact(self.hi + b.hi)
+            Double::from_f64(self.hi + b.hi)
         }
     }
 }
@@ -91,7 +91,7 @@ impl Scalar for Double {
 
     #[inline(always)]
     fn int(n: i16) -> Self {
-        Double::exact(f64::from(n))
+        Double::from_f64(f64::from(n))
     }
     #[inline(always)]
     fn is_nan(self) -> bool {
@@ -135,6 +135,6 @@ impl Scalar for Double {
 impl Holds<f64> for Double {
     #[inline(always)]
     fn from_number(x: f64) -> Self {
-        Double::exact(x)
+        Double::from_f64(x)
     }
 }

@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 #[inline]
 pub(crate) fn snapped(x: Double) -> Double {
     if x.lo.abs() < x.hi.abs() * power_of_two(-90) {
-        Double::exact(x.hi)
+        Double::from_f64(x.hi)
     } else {
         x
     }

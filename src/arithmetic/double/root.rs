@@ -19,7 +19,7 @@ pub(crate) fn sqrt(x: Double) -> Double {
     if x.hi > 0.0 && x.hi.is_finite() {
         sqrt_of_positive(x)
     } else {
-        Double::exact(libm::sqrt(x.hi))
+        Double::from_f64(libm::sqrt(x.hi))
     }
 }
 
@@ -27,10 +27,10 @@ pub(crate) fn sqrt(x: Double) -> Double {
 #[inline]
 pub(crate) fn cbrt(x: Double) -> Double {
     if !(x.hi > 0.0 && x.hi.is_finite()) {
-        return Double::exact(libm::sqrt(x.hi));
+        return Double::from_f64(libm::sqrt(x.hi));
     }
     let root = cbrt::cbrt(x.hi);
-    let square = square_raw(Double::exact(root));
-    let rest = gap(x, product(square, Double::exact(root)));
+    let square = square_raw(Double::from_f64(root));
+    let rest = gap(x, product(square, Double::from_f64(root)));
     Double::fast_two_sum(root, rest / (3.0 * square.hi))
 }

@@ -21,7 +21,7 @@ impl Series {
     pub(crate) fn sum(&self, x: Double) -> Double {
         let x_head = x.hi.leading_half();
         let x_rest = (x.hi - x_head) + x.lo;
-        let mut sum = Double::exact(horner(x.hi, self.plain));
+        let mut sum = Double::from_f64(horner(x.hi, self.plain));
         for &c in self.middle.iter().rev() {
             // The leading halves have an exact product.
             let head = sum.hi.leading_half();

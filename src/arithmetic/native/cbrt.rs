@@ -8,7 +8,7 @@ use crate::arithmetic::native::format::Native;
 #[inline(always)]
 pub(crate) fn refine<T: Native>(t: T, x: T) -> Pair<T> {
     let square = Pair::two_prod(t, t);
-    let cube = square.mul(Pair::exact(t));
+    let cube = square.mul(Pair::from_value(t));
     let rest = ((x - cube.hi) - cube.lo) / (square.hi * T::int(3));
     Pair::fast_two_sum(t, rest)
 }

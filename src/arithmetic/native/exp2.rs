@@ -50,7 +50,7 @@ impl<T: Native> Scale<T> {
             exponent,
         } = Scale::new(x);
         Scale {
-            significand: Pair::exact(T::ONE + T::ONE).div(significand),
+            significand: Pair::from_value(T::ONE + T::ONE).div(significand),
             exponent: exponent.wrapping_neg(),
         }
     }

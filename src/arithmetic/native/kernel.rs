@@ -13,8 +13,8 @@ use crate::{CosSin, Tails};
 
 impl<T: Native> Wide<T> for Pair<T> {
     #[inline(always)]
-    fn exact(x: T) -> Self {
-        Pair::exact(x)
+    fn from_value(x: T) -> Self {
+        Pair::from_value(x)
     }
     #[inline(always)]
     fn value(self) -> T {

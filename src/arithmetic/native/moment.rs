@@ -17,7 +17,7 @@ fn root<T: Native>(x: Pair<T>) -> Pair<T> {
 
 /// √(π/2t) (1 + a₁/m² + …), t = n + ½, m = t/2.
 fn plain<T: Native>(n: Pair<T>) -> Pair<T> {
-    let t = n.add(Pair::exact(T::HALF));
+    let t = n.add(Pair::from_value(T::HALF));
     let m = t.hi * T::HALF;
     let square = T::ONE / m / m;
     let [first, rest @ ..] = T::TABLE.cosine_integral else {
@@ -29,13 +29,17 @@ fn plain<T: Native>(n: Pair<T>) -> Pair<T> {
 
 /// Σ bⱼ/nʲ.
 fn weighted<T: Native>(n: Pair<T>) -> Pair<T> {
-    let recip = Pair::exact(T::ONE).div(n);
+    let recip = Pair::from_value(T::ONE).div(n);
     let [_, _, rest @ ..] = T::TABLE.angle_integral else {
         return n; // the series has terms
     };
     let bend = Pair::ratio(-2, 3).mul(recip);
     let tail = recip.hi * recip.hi * horner(recip.hi, rest);
-    recip.mul(Pair::exact(T::ONE).add(bend).add(Pair::exact(tail)))
+    recip.mul(
+        Pair::from_value(T::ONE)
+            .add(bend)
+            .add(Pair::from_value(tail)),
+    )
 }
 
 /// (∫ cosⁿθ, ∫ θ cosⁿθ).
@@ -45,14 +49,14 @@ pub(crate) fn cosine_integrals<T: Native>(n: Pair<T>) -> (Pair<T>, Pair<T>) {
     } else {
         0
     };
-    let mut top = n.add(Pair::exact(T::int((steps as i16).wrapping_mul(2))));
+    let mut top = n.add(Pair::from_value(T::int((steps as i16).wrapping_mul(2))));
     let (mut plain, mut weighted) = (plain(top), weighted(top));
     for _ in 0..steps {
-        let ratio = top.div(top.add(Pair::exact(-T::ONE)));
-        let square = Pair::exact(T::ONE).div(top.mul(top));
+        let ratio = top.div(top.add(Pair::from_value(-T::ONE)));
+        let square = Pair::from_value(T::ONE).div(top.mul(top));
         plain = plain.mul(ratio);
         weighted = weighted.add(square).mul(ratio);
-        top = top.add(Pair::exact(T::int(-2)));
+        top = top.add(Pair::from_value(T::int(-2)));
     }
     (plain, weighted)
 }

@@ -11,13 +11,13 @@ pub struct Pair<T> {
 
 impl<T: Float> Pair<T> {
     #[inline(always)]
-    pub(crate) fn exact(hi: T) -> Self {
+    pub(crate) fn from_value(hi: T) -> Self {
         Pair { hi, lo: T::ZERO }
     }
 
     /// a/b.
     pub(crate) fn ratio(a: i16, b: i16) -> Self {
-        Pair::exact(T::int(a)).div(Pair::exact(T::int(b)))
+        Pair::from_value(T::int(a)).div(Pair::from_value(T::int(b)))
     }
 
     /// a + b without error, for |a| ≥ |b| or a = 0.

@@ -23,7 +23,7 @@ pub struct Cosine<T> {
 pub(crate) fn cosine<T: Native>(at: CosSin<T>) -> Cosine<T> {
     let far = at.cos < at.sin;
     Cosine {
-        small: Pair::exact(T::select(far, at.cos, at.sin)),
+        small: Pair::from_value(T::select(far, at.cos, at.sin)),
         far,
     }
 }
@@ -109,7 +109,7 @@ pub(crate) fn power_tails<T: Native>(n: Pair<T>, at: Cosine<T>) -> (T, T) {
     let (whole, r) = whole_and_rest(y);
     let p = exp2_m1(r);
     let one = Scale {
-        significand: Pair::exact(T::ONE),
+        significand: Pair::from_value(T::ONE),
         exponent: 0,
     };
     let upper = one.times(p.value(), whole, T::ONE);

@@ -29,7 +29,7 @@ pub struct TailRoot<T> {
 impl<T: Native> TailRoot<T> {
     pub(crate) fn new(n: Pair<T>) -> Self {
         let two = T::ONE + T::ONE;
-        let share = Pair::exact(two).div(n);
+        let share = Pair::from_value(two).div(n);
         let head = share.hi.exponent_factor();
         let (m, e) = n.hi.split(T::ONE);
         TailRoot {

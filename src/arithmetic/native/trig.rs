@@ -40,7 +40,14 @@ pub(crate) fn from_end<T: Native>(a: T) -> Pair<T> {
 fn fold<T: Native>(theta: T) -> (Pair<T>, bool) {
     let a = theta.abs();
     let far = a > T::CONSTANTS.half_pi.hi * T::HALF;
-    (if far { from_end(a) } else { Pair::exact(a) }, far)
+    (
+        if far {
+            from_end(a)
+        } else {
+            Pair::from_value(a)
+        },
+        far,
+    )
 }
 
 /// (cos x, sin x) for 0 ≤ x ≤ 0.9, hi + lo a fraction of an ulp off: half of this cosine is the

@@ -80,7 +80,7 @@ impl Kernel for Scaled {
         if self.exponent.wrapping_abs() <= DIGITS {
             return Self::from_double(log_exp::ln(self.double()));
         }
-        let e = Double::exact(f64::from(self.exponent));
+        let e = Double::from_f64(f64::from(self.exponent));
         Self::from_double(Double::CONSTANTS.ln_2 * e + log_exp::ln(self.part))
     }
     fn ln_cos(at: CosSin<Self>) -> Self {

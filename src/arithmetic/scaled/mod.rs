@@ -117,7 +117,7 @@ impl Add for Scaled {
             } else if b.part.hi == 0.0 && self.is_ordinary() {
                 self
             } else {
-                Self::new(Double::exact(self.part.hi + b.part.hi), 0)
+                Self::new(Double::from_f64(self.part.hi + b.part.hi), 0)
             };
         }
         let (large, small) = if self.exponent < b.exponent {

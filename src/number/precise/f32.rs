@@ -23,7 +23,7 @@ impl Holds<Precise<f32>> for f64 {
 impl Holds<Precise<f32>> for Double {
     #[inline(always)]
     fn from_number(x: Precise<f32>) -> Double {
-        Double::exact(f64::from(x.0))
+        Double::from_f64(f64::from(x.0))
     }
 }
 
@@ -137,7 +137,7 @@ impl Tier for Precise<f32> {
     #[inline]
     fn accurate_turn_from_bits(bits: u32) -> CosSin<Double> {
         let (quadrant, x) = turn(bits);
-        Double::at_quadrant(quadrant, Double::exact(x))
+        Double::at_quadrant(quadrant, Double::from_f64(x))
     }
 }
 

@@ -19,7 +19,7 @@ impl Holds<Precise<f64>> for Double {
     /// NaN for NaN, the quick result is then not taken.
     #[inline(always)]
     fn from_number(x: Precise<f64>) -> Double {
-        Double::exact(if x.0 == 0.0 || is_moderate(x.0) {
+        Double::from_f64(if x.0 == 0.0 || is_moderate(x.0) {
             x.0
         } else {
             f64::NAN
@@ -29,7 +29,7 @@ impl Holds<Precise<f64>> for Double {
 
 impl Holds<Precise<f64>> for Scaled {
     fn from_number(x: Precise<f64>) -> Self {
-        Self::new(Double::exact(x.0), 0)
+        Self::new(Double::from_f64(x.0), 0)
     }
 }
 
@@ -138,6 +138,6 @@ fn turn(bits: u64) -> (u32, Double) {
     let lo = part.wrapping_sub(hi as i64) as f64;
     (
         quadrant,
-        Double { hi, lo } * Double::exact(power_of_two(-65)),
+        Double { hi, lo } * Double::from_f64(power_of_two(-65)),
     )
 }

@@ -1,15 +1,12 @@
 //! Every law and every number type: whoever adds one adds it here, and all that walks these lists has it.
 
 use crate::Number;
-use ::fixed::types::{I1F15, I1F31, U0F32, U16F16};
-use core::fmt::{self, Debug};
-use coslobe::fixed::{
-    self as integers, Fixed16Law, Fixed16Planar, Fixed16Spatial, FixedLaw, FixedPlanar,
-    FixedSpatial,
-};
+pub use crate::visitor::*;
+use ::fixed::types::U16F16;
+use core::fmt;
+use coslobe::fixed as integers;
 use coslobe::{
-    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, PlanarPoint, Precise,
-    Spatial, SpatialPoint, SphereShell,
+    Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, Precise, SphereShell,
 };
 
 /// The exponent of `CosPower` where one is enough: its logarithm is no round number.
@@ -106,12 +103,6 @@ impl fmt::Display for Id {
     }
 }
 
-/// A law's type, by its name.
-pub trait Named {
-    /// `CosPower` with [`EXPONENT`], whatever it has.
-    const ID: Id;
-}
-
 impl Named for Disk {
     const ID: Id = Id::Disk;
 }
@@ -143,45 +134,6 @@ impl<T: Number> Named for CosPower<T> {
 /// In integers.
 impl Named for integers::CosPower {
     const ID: Id = Id::CosPower(EXPONENT);
-}
-
-/// A law of the plane, to be copied and shared.
-pub trait PlanarLaw<T: Number>:
-    PlanarPoint<T> + Named + Copy + Debug + Send + Sync + 'static
-{
-}
-
-impl<T: Number, L: PlanarPoint<T> + Named + Copy + Debug + Send + Sync + 'static> PlanarLaw<T>
-    for L
-{
-}
-
-/// A law of space, to be copied and shared.
-pub trait SpatialLaw<T: Number>: Spatial<T> + Named + Copy + Debug + Send + Sync + 'static {}
-
-impl<T: Number, L: Spatial<T> + Named + Copy + Debug + Send + Sync + 'static> SpatialLaw<T> for L {}
-
-/// A law of space that has points, to be copied and shared.
-pub trait TangentLaw<T: Number>:
-    SpatialPoint<T> + Named + Copy + Debug + Send + Sync + 'static
-{
-}
-
-impl<T: Number, L: SpatialPoint<T> + Named + Copy + Debug + Send + Sync + 'static> TangentLaw<T>
-    for L
-{
-}
-
-/// Is shown laws, each with its own type.
-pub trait LawVisitor<T: Number> {
-    /// A law of the plane.
-    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L);
-    /// A law of space.
-    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L);
-    /// A law of space that has points.
-    fn tangent<L: TangentLaw<T>>(&mut self, id: Id, law: L) {
-        self.spatial(id, law);
-    }
 }
 
 /// Shows one law.
@@ -225,43 +177,6 @@ pub fn moments<T: Number>(id: Id) -> Option<Moments<T>> {
     found.0
 }
 
-/// A law in integers of both formats.
-pub trait IntegerLaw:
-    FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
-    + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
-    + Named
-    + Default
-    + Copy
-    + 'static
-{
-}
-
-impl<L> IntegerLaw for L where
-    L: FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
-        + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
-        + Named
-        + Default
-        + Copy
-        + 'static
-{
-}
-
-/// Is shown laws in integers.
-pub trait IntegerVisitor {
-    /// A law without a parameter.
-    fn law<L: IntegerLaw>(&mut self, law: L);
-    /// The same for whom its directions' types matter: a law of the plane.
-    fn planar<L: IntegerLaw + FixedPlanar + Fixed16Planar>(&mut self, law: L) {
-        self.law(law);
-    }
-    /// And one of space.
-    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
-        self.law(law);
-    }
-    /// `CosPower`, which has 32 bits alone, with the exponent nearest to [`EXPONENT`].
-    fn power(&mut self, _: integers::CosPower) {}
-}
-
 /// Shows every law in integers.
 pub fn every_integer_law(visitor: &mut impl IntegerVisitor) {
     visitor.planar(Disk);
@@ -278,12 +193,6 @@ pub fn power() -> integers::CosPower {
     // Rounded by the compiler: firmware in integers has no floats.
     const NEAREST: U16F16 = U16F16::from_bits((EXPONENT * 65536.0 + 0.5) as u32);
     integers::CosPower::new(NEAREST)
-}
-
-/// Is shown number types.
-pub trait NumberVisitor {
-    /// One of them.
-    fn number<T: Number>(&mut self);
 }
 
 /// Shows every number type.

@@ -37,6 +37,8 @@ mod stream;
 #[cfg(feature = "std")]
 pub mod study;
 mod subject;
+mod tiers;
+mod visitor;
 
 pub use answer::{Answer, answer};
 pub use catalogue::{
@@ -47,8 +49,9 @@ pub use hash::Hash;
 pub use integers::{Integers, integers};
 pub use integers16::{Integers16, integers16};
 pub use laws::{Laws, Visitor};
-pub use number::{Drawn, Format, Number, promises_ulps};
+pub use number::{Drawn, Format, Number};
 pub use planar::planar;
 pub use spatial::spatial;
 pub use stream::{CHECKPOINTS, Stream};
 pub use subject::{Sink, Subject};
+pub use tiers::promises_ulps;

@@ -8,6 +8,7 @@ mod fog;
 mod form_factors;
 mod furnace;
 mod golden;
+mod leaks;
 mod mutants;
 mod numbers;
 mod shadows;

@@ -15,6 +15,7 @@ pub mod op;
 pub mod part;
 pub mod reference;
 pub mod rows;
+pub mod slots;
 pub mod spoiled;
 pub mod subject;
 pub mod tally;

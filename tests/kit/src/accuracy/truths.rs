@@ -3,8 +3,8 @@
 use super::format::Format;
 use super::inverse::{angle, warp};
 use super::measure::Input;
-use super::op::{AT_ANGLE, AT_TAIL, Op};
 use super::reference::{Direction, Formula, Id};
+use super::slots::{OF_PAIR, Slot};
 use super::truth::Truth;
 use super::wide::Wide;
 use coslobe::CosSin;
@@ -74,9 +74,6 @@ fn at_angle<W: Wide>(
         pair_upper,
     ]
 }
-
-/// Where those of the pair stand in [`at_angle`].
-const OF_PAIR: [usize; 4] = [3, 4, 7, 8];
 
 /// Density, weight and tails of a pair.
 fn at_pair<W: Wide>(f: &Formula<W>, paired: &Direction<W>, pair_cos: f64) -> [W; 4] {
@@ -157,46 +154,8 @@ fn beyond_tie<F: Format>(law: Id, a: &Angle<F>, k: usize, tie: f64) -> Option<bo
     (beyond.abs() > 1e-25).then_some(beyond > 0.0)
 }
 
-/// True values of a law over a block, one for each entry of what [`slots`] refers to.
+/// True values of a law over a block, one for each of what [`slots`](super::slots) refer to.
 pub struct Truths<F: Format>(Vec<Truth<F>>);
-
-/// Which truth a slot of `AT_ANGLE` or `AT_TAIL` is held against, and whether its sign is mirrored.
-pub struct Slot {
-    pub op: Op,
-    pub truth: usize,
-    pub negated: bool,
-}
-
-pub fn angle_slots(law: Id, solid: bool, input: Input) -> impl Iterator<Item = (usize, Slot)> {
-    // A planar law's references are those of −θ.
-    let order: &[usize] = if law.planar() {
-        &[0, 1, 2, 3, 4, 6, 5, 8, 7, 5, 6, 7, 8]
-    } else {
-        &[0, 1, 2, 3, 4, 5, 6, 7, 8]
-    };
-    let slots = order.iter().enumerate().map(|(i, &truth)| {
-        let (op, negated) = (AT_ANGLE[i], false);
-        (i, Slot { op, truth, negated })
-    });
-    slots.filter(move |(_, s)| {
-        let of_pair = input == Input::Angle || OF_PAIR.contains(&s.truth);
-        of_pair && (solid || s.op != Op::PdfSolidAngle)
-    })
-}
-
-pub fn tail_slots(law: Id) -> impl Iterator<Item = (usize, Slot)> {
-    let planar = law.planar();
-    let order = if planar {
-        [3, 4, 3, 4, 5, 5]
-    } else {
-        [0, 1, 3, 4, 2, 5]
-    };
-    order.into_iter().enumerate().map(move |(i, truth)| {
-        let op = AT_TAIL[i];
-        let negated = planar && matches!(op, Op::WarpSin | Op::Quantile);
-        (i, Slot { op, truth, negated })
-    })
-}
 
 impl<F: Format> Default for Truths<F> {
     fn default() -> Self {

@@ -1,5 +1,10 @@
 //! The shader as a command: images that depend on nothing but the scene, and how it fails.
 
+#[cfg(unix)]
+mod inputs;
+#[cfg(unix)]
+mod outputs;
+
 use kit::scratch::Scratch;
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,4 @@
-//! Where the shader writes to, and what it reads: refused before it renders, or nothing is lost.
-#![cfg(unix)]
+//! Where the shader writes to: refused before it renders, or nothing is lost.
 
 use kit::scratch::Scratch;
 use std::fs;
@@ -8,9 +7,9 @@ use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/emitter.toml");
+pub(crate) const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/emitter.toml");
 
-fn shade(folder: &Path, args: &[&str]) -> Command {
+pub(crate) fn shade(folder: &Path, args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_shade"));
     command
         .current_dir(folder)
@@ -19,14 +18,14 @@ fn shade(folder: &Path, args: &[&str]) -> Command {
     command
 }
 
-fn merge(folder: &Path, args: &[&str]) -> Command {
+pub(crate) fn merge(folder: &Path, args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_shade"));
     command.current_dir(folder).arg("merge").args(args);
     command
 }
 
 /// Fails with one line that says `why`, having printed nothing: before it renders.
-fn is_refused(mut command: Command, why: &str) {
+pub(crate) fn is_refused(mut command: Command, why: &str) {
     let Output {
         status,
         stdout,
@@ -42,7 +41,7 @@ fn is_refused(mut command: Command, why: &str) {
     assert_eq!(String::from_utf8_lossy(&stdout), "", "{command:?}");
 }
 
-fn succeeds(mut command: Command) -> String {
+pub(crate) fn succeeds(mut command: Command) -> String {
     let output = command.output().unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{command:?}: {message}");
@@ -209,76 +208,5 @@ fn a_limit_on_files_leaves_none_and_keeps_the_old() {
     assert_eq!(
         fs::read_to_string(scratch.0.join("old.png")).unwrap(),
         "old"
-    );
-}
-
-#[test]
-fn inputs_without_end_are_refused() {
-    let scratch = Scratch::new("shade-endless");
-    is_refused(
-        shade(&scratch.0, &["/dev/zero", "-o", "out.png"]),
-        "longer than the most, 262144 bytes",
-    );
-    is_refused(
-        merge(&scratch.0, &["/dev/zero", "-o", "out.png"]),
-        "expected a file that --tiles wrote",
-    );
-    // A tile whose head promises what an endless rest would never stop to be.
-    succeeds(shade(&scratch.0, &[SCENE, "-o", "1", "--tiles", "1/1"]));
-    let tile = fs::read(scratch.0.join("1")).unwrap();
-    fs::write(scratch.0.join("more"), [&tile[..], &[0; 100]].concat()).unwrap();
-    fs::write(scratch.0.join("less"), &tile[..tile.len() - 1]).unwrap();
-    is_refused(
-        merge(&scratch.0, &["more", "-o", "out.png"]),
-        "more: more than",
-    );
-    is_refused(
-        merge(&scratch.0, &["less", "-o", "out.png"]),
-        "less: fewer than",
-    );
-    assert_eq!(scratch.names(), ["1", "less", "more"]);
-}
-
-#[test]
-fn merge_refuses_a_tile_with_a_pixel_that_is_no_number() {
-    let scratch = Scratch::new("shade-nan");
-    succeeds(shade(&scratch.0, &[SCENE, "-o", "1", "--tiles", "1/1"]));
-    let mut tile = fs::read(scratch.0.join("1")).unwrap();
-    // After the head of 48 bytes, the second pixel's 80: a count, then its first sample.
-    tile[48 + 80 + 8..][..8].copy_from_slice(&f64::NAN.to_le_bytes());
-    fs::write(scratch.0.join("1"), tile).unwrap();
-    is_refused(
-        merge(&scratch.0, &["1", "-o", "out.png"]),
-        "1: pixel (1, 0) is [NaN",
-    );
-    assert_eq!(scratch.names(), ["1"]);
-}
-
-#[test]
-fn orders_to_the_terminal_are_spelled_out() {
-    let scratch = Scratch::new("shade-orders");
-    let scene = fs::read_to_string(SCENE).unwrap();
-    let title = scene.lines().next().unwrap();
-    let orders = "title = \"a \\u001b[31mred\\n title \\u202e\"";
-    fs::write(scratch.0.join("title"), scene.replacen(title, orders, 1)).unwrap();
-    let key = scene.replacen("[image]", "[image]\n\"\\u001b]0;key\\u0007\" = 1", 1);
-    fs::write(scratch.0.join("key"), key).unwrap();
-    let name = "na\x1b[2Jme";
-    fs::copy(SCENE, scratch.0.join(name)).unwrap();
-
-    let told = succeeds(shade(&scratch.0, &["title", "-o", "out.png"]));
-    assert!(
-        told.starts_with("title: a \\u{1b}[31mred\\n title \\u{202e}\n"),
-        "{told}"
-    );
-    let told = succeeds(shade(&scratch.0, &[name, "-o", "out\x07.png"]));
-    assert!(!told.contains(['\x1b', '\x07']), "{told}");
-    is_refused(
-        shade(&scratch.0, &["key", "-o", "out.png"]),
-        "\\u{1b}]0;key\\u{7}",
-    );
-    is_refused(
-        shade(&scratch.0, &["no\x1b[2J", "-o", "out.png"]),
-        "no\\u{1b}[2J",
     );
 }
