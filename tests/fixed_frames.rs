@@ -1,7 +1,7 @@
 //! Frames and directions around a normal in integers, against `f64`: errors by search, statistics of
 //! the rotated lobes, and what normals are refused.
 
-use coslobe::fixed::{CosPower, Fixed16Law, FixedFrame, FixedLaw};
+use coslobe::integers::{CosPower, Fixed16Law, FixedFrame, FixedLaw};
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, Fixed, Fixed16, Lambert, Law, Moments, NormalError, SphereShell};
 use fixed::types::{I1F15, I1F31, U0F16, U0F32, U16F16};

@@ -1,7 +1,7 @@
 //! Generators whose low bits are poor, as the cheap ones of firmware are: signs, azimuths and the
 //! law itself pass χ² all the same, in every number type.
 
-use coslobe::fixed::{CosPower, Fixed16Law, FixedLaw};
+use coslobe::integers::{CosPower, Fixed16Law, FixedLaw};
 use coslobe::rand_core::Rng;
 use coslobe::{
     Ball, CircleArc, CircleShell, Disk, Fixed, Fixed16, Lambert, Law, SphereShell, from_fn,

@@ -275,7 +275,7 @@ def header():
 
 
 def rust_file(number):
-    own = {"q31": "use coslobe::Fixed;\nuse coslobe::fixed::CosPower;\n"
+    own = {"q31": "use coslobe::Fixed;\nuse coslobe::integers::CosPower;\n"
                   "use fixed::types::{I0F32, I1F31, U0F32, U16F16};\n",
            "q15": "use coslobe::Fixed16;\nuse fixed::types::{I0F16, I1F15, U0F16};\n"}
     common = ("use crate::boundary::*;\nuse core::ffi::c_int;\n"

@@ -57,7 +57,7 @@ fn integers_are_checked_by_integers() {
     passes(self_test::fixed(Fixed16(Ball)));
     passes(self_test::fixed(Fixed16(SphereShell)));
     passes(self_test::fixed(Fixed16(Lambert)));
-    let lobe = coslobe::fixed::CosPower::new(fixed::types::U16F16::from_num(7.3));
+    let lobe = coslobe::integers::CosPower::new(fixed::types::U16F16::from_num(7.3));
     passes(self_test::fixed(Fixed(lobe)));
     for mut bad in [stuck_bit(1, 4, true), biased(1, !0, 0.05), period(1, 300)] {
         let mut test = self_test::fixed(Fixed(Lambert));

@@ -1,7 +1,7 @@
 //! χ², Kolmogorov–Smirnov, moments and tails of the 16-bit samplers; wrong ones, which must fail them; and generators
 //! that are stuck.
 
-use coslobe::fixed::Fixed16Law;
+use coslobe::integers::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, Law, Moments, SphereShell};
 use fixed::types::I1F15;

@@ -1,7 +1,7 @@
 //! χ², Kolmogorov–Smirnov, moments and tails of the fixed-point samplers; wrong ones, which must fail them; and
 //! generators that are stuck.
 
-use coslobe::fixed::{CosPower, FixedLaw};
+use coslobe::integers::{CosPower, FixedLaw};
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed, Lambert, Law, Moments, SphereShell};
 use fixed::types::{I1F31, U0F32, U16F16};
@@ -167,7 +167,7 @@ fn a_truncated_tail_is_rejected() {
     let draw = || {
         let at = Fixed(Ball).warp_sf(U0F32::from_bits(rng.next_u32() & !0xFF | 0x80));
         let azimuth =
-            coslobe::fixed::cos_sin(fixed::types::I0F32::from_bits(rng.next_u32() as i32));
+            coslobe::integers::cos_sin(fixed::types::I0F32::from_bits(rng.next_u32() as i32));
         let [cos, sin, x, z] = [at.cos, at.sin, azimuth.cos, azimuth.sin].map(f64::from);
         [sin * x, cos, sin * z]
     };

@@ -3,7 +3,7 @@
 use crate::Number;
 use ::fixed::types::{I1F15, I1F31, U0F32, U16F16};
 use core::fmt::{self, Debug};
-use coslobe::fixed::{self as integers, Fixed16Law, FixedLaw};
+use coslobe::integers::{self as integers, Fixed16Law, FixedLaw};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, PlanarPoint, Precise,
     Spatial, SpatialPoint, SphereShell,

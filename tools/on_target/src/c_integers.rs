@@ -1,7 +1,7 @@
 //! What the C program has to print of the laws in integers.
 
 use crate::c_values::{INPUTS, Lines, filled, sixteen};
-use coslobe::fixed::{CosPower, Fixed16Law, FixedLaw};
+use coslobe::integers::{CosPower, Fixed16Law, FixedLaw};
 use coslobe::self_test::{self, InFixed, Subject};
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Fixed, Fixed16, Lambert, SphereShell};
 use fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};

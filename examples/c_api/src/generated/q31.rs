@@ -3,7 +3,7 @@
 use crate::boundary::*;
 use core::ffi::c_int;
 use coslobe::Fixed;
-use coslobe::fixed::CosPower;
+use coslobe::integers::CosPower;
 use coslobe::self_test;
 use coslobe::{Ball, CircleArc, CircleShell, CosSin, Disk, Lambert, SphereShell};
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};

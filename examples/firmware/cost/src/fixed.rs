@@ -3,7 +3,7 @@
 use crate::Meter;
 use crate::inputs::{COUNT, FROM_END, TAILS};
 use crate::laws::EXPONENT;
-use coslobe::fixed::{CosPower, FixedLaw, FixedSpatial};
+use coslobe::integers::{CosPower, FixedLaw, FixedSpatial};
 use coslobe::{Ball, CosSin, Fixed, Lambert, SphereShell};
 use fixed::traits::Fixed as Format;
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};

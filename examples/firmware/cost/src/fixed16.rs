@@ -2,7 +2,7 @@
 
 use crate::Meter;
 use crate::fixed::{pairs, probabilities, turns};
-use coslobe::fixed::{Fixed16Law, Fixed16Spatial};
+use coslobe::integers::{Fixed16Law, Fixed16Spatial};
 use coslobe::{Ball, CosSin, Fixed16, Lambert, SphereShell};
 use fixed::types::{I0F16, I1F15, U0F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
