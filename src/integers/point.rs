@@ -65,6 +65,9 @@ fn along<F: Format>(rho: i32, at: CosSin<i32>, share: Option<u32>) -> i32 {
 }
 
 impl<F: Format, L: Formulas<F> + Point> Integers<F, L> {
+    /// The point's measure.
+    pub const MEASURE: Measure = L::MEASURE;
+
     /// Distance r of the point in direction `at`: 2ρ cos θ on the curve or surface, times √v in the
     /// disk, times ∛v in the ball; 0 below the horizon. As
     /// [`Tangent::distance`](crate::Tangent::distance) of floats.

@@ -3,7 +3,10 @@
 use crate::Number;
 use ::fixed::types::{I1F15, I1F31, U0F32, U16F16};
 use core::fmt::{self, Debug};
-use coslobe::integers::{self as integers, Fixed16Law, FixedLaw};
+use coslobe::integers::{
+    self as integers, Fixed16Law, Fixed16Planar, Fixed16Spatial, Fixed16Tangent, FixedLaw,
+    FixedPlanar, FixedSpatial, FixedTangent,
+};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, PlanarPoint, Precise,
     Spatial, SpatialPoint, SphereShell,
@@ -226,6 +229,8 @@ pub fn moments<T: Number>(id: Id) -> Option<Moments<T>> {
 pub trait IntegerLaw:
     FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
     + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
+    + FixedTangent
+    + Fixed16Tangent
     + Named
     + Default
     + Copy
@@ -236,6 +241,8 @@ pub trait IntegerLaw:
 impl<L> IntegerLaw for L where
     L: FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
         + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
+        + FixedTangent
+        + Fixed16Tangent
         + Named
         + Default
         + Copy
@@ -247,18 +254,26 @@ impl<L> IntegerLaw for L where
 pub trait IntegerVisitor {
     /// A law without a parameter.
     fn law<L: IntegerLaw>(&mut self, law: L);
+    /// One of the plane.
+    fn planar<L: IntegerLaw + FixedPlanar + Fixed16Planar>(&mut self, law: L) {
+        self.law(law);
+    }
+    /// One of space.
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
+        self.law(law);
+    }
     /// `CosPower`, which has 32 bits alone, with the exponent nearest to [`EXPONENT`].
     fn power(&mut self, _: integers::CosPower) {}
 }
 
 /// Shows every law in integers.
 pub fn every_integer_law(visitor: &mut impl IntegerVisitor) {
-    visitor.law(Disk);
-    visitor.law(CircleShell);
-    visitor.law(CircleArc);
-    visitor.law(Ball);
-    visitor.law(SphereShell);
-    visitor.law(Lambert);
+    visitor.planar(Disk);
+    visitor.planar(CircleShell);
+    visitor.planar(CircleArc);
+    visitor.spatial(Ball);
+    visitor.spatial(SphereShell);
+    visitor.spatial(Lambert);
     visitor.power(power());
 }
 
