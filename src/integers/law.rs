@@ -10,7 +10,7 @@ use ::fixed::types::U16F16;
 use rand_core::TryRng;
 
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no law in integers of the format `{F}`",
+    message = "`{Self}` is no law in integers of this format",
     label = "not known to `Fixed` or `Fixed16`",
     note = "both know Disk, CircleShell, CircleArc, Ball, SphereShell and Lambert",
     note = "with an exponent it is `coslobe::integers::CosPower` in integers, of `Fixed` alone; \

@@ -61,14 +61,14 @@ pub type Fixed16<L> = Integers<Q15, L>;
 /// `law` in fixed point of 32 bits.
 #[allow(non_snake_case)]
 #[inline]
-pub const fn Fixed<L>(law: L) -> Fixed<L> {
+pub const fn Fixed<L: Formulas<Q31>>(law: L) -> Fixed<L> {
     Integers(law, PhantomData)
 }
 
 /// `law` in fixed point of 16 bits.
 #[allow(non_snake_case)]
 #[inline]
-pub const fn Fixed16<L>(law: L) -> Fixed16<L> {
+pub const fn Fixed16<L: Formulas<Q15>>(law: L) -> Fixed16<L> {
     Integers(law, PhantomData)
 }
 

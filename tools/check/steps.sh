@@ -38,6 +38,7 @@ step readme                   full  release        -                 readme
 step runner                   quick -              -                 runner_says_what_it_lacks
 step template                 full  template       qemu,thumbv7em-none-eabihf tools/check/template
 step refused-targets          full  -              i586-unknown-linux-gnu tools/refused_targets
+step refused-programs         full  -              -                    tools/refused_programs
 step readme-firmware          full  boards         qemu,defmt-print,thumbv7em-none-eabihf tools/check/readme README.md firmware
 
 workspaces=(Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml)

@@ -2,7 +2,7 @@
 
 use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use crate::integer::truth::Truth;
-use coslobe::integers::FixedRadius;
+use coslobe::integers::{Fixed16Law, FixedRadius};
 use coslobe::{CosSin, Fixed16};
 use fixed::types::{I0F16, I1F15, I16F0, U0F16, U16F16};
 use std::ops::Deref;
@@ -38,7 +38,7 @@ impl Deref for Subject {
     }
 }
 
-fn law<L: Default>() -> Fixed16<L> {
+fn law<L: Fixed16Law + Default>() -> Fixed16<L> {
     Fixed16(L::default())
 }
 

@@ -1,4 +1,4 @@
-/* coslobe for C: directions of the laws p ~ cos^k(theta). Made by tools/c_api.py, not by hand.
+/* coslobe for C: directions of the laws p ~ cos^k(theta). Made by surface/, not by hand.
  *
  * theta is the angle from the axis +y; a direction is [sin(theta), cos(theta)] in the plane and
  * [sin(theta) cos(phi), cos(theta), sin(theta) sin(phi)] in space. Each function is named
@@ -19,13 +19,14 @@
  *   density           per radian or steradian at a direction, from its cosine: no trigonometry.
  *   cdf, sf           P(Theta <= theta) and P(Theta > theta); unwarp, unwarp_sf: at a direction.
  *   quantile, isf     theta where cdf, sf is p; warp, warp_sf: cosine and sine there.
- *   lambert_weight    the weight of a sample of a white Lambert reflector.
+ *   lambert_weight    the weight of a sample of a white Lambert reflector: integers in 2^-16.
  *
  * Types
  *   f32, fast   float. Angles are in radians. A NaN gives a NaN; a probability outside 0 to 1 too.
  *   q31         integers of 32 bits: components in units of 2^-31, probabilities and densities
  *               (cos_power's apart) of 2^-32, angles of 2^-32 of a turn.
  *   q15         integers of 16 bits: the same with 2^-15, 2^-16 and 2^-16 of a turn.
+ *               A radius and its point are in a unit of length of yours.
  *               Integers saturate: the probability 1 is 2^32 - 1, the component 1 is 2^31 - 1.
  *
  * Pointers are never NULL, unless it says so; COSLOBE_NULL_POINTER answers one that is, with
@@ -56,7 +57,8 @@
 #define COSLOBE_OK 0
 #define COSLOBE_NULL_POINTER (-1)
 #define COSLOBE_EXPONENT (-2) /* NaN, negative or infinite: nothing was written. */
-#define COSLOBE_RADIUS (-3) /* NaN, below the smallest normal number, above a quarter of the largest. */
+#define COSLOBE_RADIUS (-3) /* NaN, below the smallest normal number (integers: not positive), above a
+                             * quarter of the largest. */
 #define COSLOBE_FAULT (-4) /* The self-test found one. */
 
 /* A generator of random words. */
@@ -90,6 +92,7 @@ typedef int32_t coslobe_turn_q32; /* angle: 2^-32 of a turn */
 typedef uint32_t coslobe_density_q32; /* per radian or steradian: 2^-32 */
 typedef uint32_t coslobe_density_q16_16; /* cos_power's, per steradian: 2^-16 */
 typedef uint32_t coslobe_exponent_q16_16; /* 2^-16 */
+typedef uint32_t coslobe_weight_q16_16; /* both formats': 2^-16; a larger one is 2^32 - 1 */
 typedef int16_t coslobe_q15; /* component: 2^-15 */
 typedef uint16_t coslobe_probability_q16; /* 2^-16 */
 typedef int16_t coslobe_turn_q16; /* angle: 2^-16 of a turn */
