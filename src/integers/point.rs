@@ -13,8 +13,8 @@ use rand_core::Rng;
 ///
 /// `D` is any signed number of the `fixed` crate with as many bits as the law's components: 32 for
 /// [`Fixed`](type@crate::Fixed), such as `I16F16` or `I32F0`; 16 for
-/// [`Fixed16`](type@crate::Fixed16), such as `I8F8`. Distances and coordinates are of the same type.
-/// ρ is at least one unit of it and at most a quarter of the largest number, so that nothing
+/// [`Fixed16`](type@crate::Fixed16), such as `I8F8`. Distances and coordinates are of the same
+/// type. ρ is at least one unit of it and at most a quarter of the largest number, so that nothing
 /// saturates: 2ρ cos θ is half of it at most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -35,20 +35,20 @@ fn distance(law: &Subject, radius: i16, x: u32) -> f64 {
     (f64::from((law.distance)(radius, at(cos), v)) - want).abs()
 }
 
-/// [weight, distance] of each law.
-const BOUNDS: [(&str, [f64; 2]); 6] = [
-    ("Disk", [1.4, 1.1]),
-    ("CircleShell", [0.0, 0.51]),
-    ("CircleArc", [0.55, 0.51]),
-    ("Ball", [2.75, 1.25]),
-    ("SphereShell", [1.5, 0.51]),
-    ("Lambert", [0.0, 0.51]),
+/// [weight, distance] of each law, in the order of `Id::FIXED`.
+const BOUNDS: [[f64; 2]; 6] = [
+    [1.4, 1.25],
+    [0.0, 0.51],
+    [0.55, 0.51],
+    [2.75, 1.25],
+    [1.5, 0.51],
+    [0.0, 0.51],
 ];
 
 #[test]
 fn weights_on_every_cosine() {
-    for (law, (name, [bound, _])) in subjects().iter().zip(BOUNDS) {
-        assert_eq!(law.name, name);
+    for (law, [bound, _]) in subjects().iter().zip(BOUNDS) {
+        let name = law.name;
         let Worst(error, x) = Worst::over(0..1 << 16, |x| weight(law, x));
         println!("{name} weight: {error:.3} at {x:#06x} (bound {bound})");
         assert!(error <= bound, "{name}: {error} at {x:#06x}");
@@ -56,7 +56,11 @@ fn weights_on_every_cosine() {
 }
 
 fn distances(stride: u32) {
-    for (law, (name, [_, bound])) in subjects().iter().zip(BOUNDS) {
+    for (law, [_, bound]) in subjects().iter().zip(BOUNDS) {
+        let name = law.name;
+        // The others do not read v.
+        let is_solid = ["Disk", "Ball"].contains(&name);
+        let stride = if is_solid { stride } else { 1 << 16 };
         for radius in [1, 100, 5_793, i16::MAX >> 2] {
             let Worst(error, x) = (0..(1u32 << 31) / stride)
                 .into_par_iter()
