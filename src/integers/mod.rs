@@ -14,6 +14,8 @@
 //! | angle, in turns | `I0F32` | `I0F16` | −½ | ½ − one unit |
 //! | density, per radian or steradian | `U0F32`; `U16F16` for [`CosPower`] | `U0F16` | 0 | 1 − one unit; 65536 |
 //! | exponent | `U16F16` | – | 0 | 65536 − 2⁻¹⁶ |
+//! | weight of a Lambert reflector | `U16F16` | `U16F16` | 0 | 65536 − 2⁻¹⁶ |
+//! | radius, distance, coordinate | any signed of 32 bits | of 16 bits | one unit | a quarter of the largest, half, half |
 //!
 //! The unit is that of the last place: 2⁻³¹, 2⁻³² and 2⁻¹⁶ for the types of `Fixed`, 2⁻¹⁵ and 2⁻¹⁶
 //! for those of `Fixed16`. All bits of a word are used: an angle in turns wraps where the word
@@ -76,6 +78,25 @@
 //! `Lambert` always, `Disk`'s and `Ball`'s cdf and `Ball`'s and `SphereShell`'s quantile but for a
 //! unit here and there. `tests/errors/q15` asserts all this.
 //!
+//! `lambert_weight` and `distance`, with the worst input in hex (cos θ, in Q31 or Q15; for a distance
+//! what the test makes its radius, cosine and v of, or cosine and v at the largest radius, 8191):
+//!
+//! | | weight, `Fixed` | weight, `Fixed16` | distance, `Fixed` | distance, `Fixed16` |
+//! |---|---|---|---|---|
+//! | `Disk` | @WD31@ | 1.387 (7df2) | @DD31@ | 1.097 (7cc0, 4398) |
+//! | `CircleShell` | 0 | 0 | 0.5 | 0.5 |
+//! | `CircleArc` | 0.5 | 0.541 (1435) | 0.5 | 0.5 |
+//! | `Ball` | @WB31@ | 2.701 (7f7e) | @DB31@ | @DB15@ |
+//! | `SphereShell` | @WS31@ | 1.481 (7f7d) | 0.5 | 0.5 |
+//! | `Lambert` | 0 | 0 | 0.5 | 0.5 |
+//!
+//! A weight w errs by that many of the larger of 2⁻¹⁶ and 2⁻²⁸ w (`Fixed16`: 2⁻¹⁴ w), on **every**
+//! cosine; `CosPower`'s by 0.74 of the larger of 2⁻¹⁶ and 2⁻²⁴ w (2·10⁵ pairs for each of nine
+//! exponents from 0 to 65536). A distance errs by that many units of its type: of `Fixed` searched over
+//! 3·10⁸ radii, cosines and v for each law, of `Fixed16` at four radii on **every** cosine and v.
+//! `tests/errors` asserts both. A point's coordinates are the distance times the direction, and one
+//! unit more.
+//!
 //! # Words of randomness
 //!
 //! [`sample`](Integers::sample) takes words by `next_u32`, always as many, and no rejection:
@@ -105,6 +126,10 @@
 //! low ones of common generators are poor. Whatever the generator gives, cos θ > 0 and the
 //! direction has unit length to 4 units (`Fixed16`: 2).
 //!
+//! A point ([`sample_point`](Integers::sample_point)) takes these words, then, of the disk and ball
+//! alone, those of its distance: the larger of two words or the largest of three, of halves in
+//! `Fixed16`, which take one word or two.
+//!
 //! # What is where
 //!
 //! | operation | floats | `Fixed` | `Fixed16` |
@@ -112,11 +137,13 @@
 //! | `warp`, `warp_sf`, `unwarp`, `unwarp_sf`, `density`, `pdf`, `cdf`, `sf`, `quantile`, `isf` | all | all | not `CosPower` |
 //! | `sample`, `try_sample` | all | all | not `CosPower` |
 //! | `pdf_solid_angle`, `warp_direction`, `unwarp_direction`, `sample_around` | in space | in space | in space |
-//! | `sample_with_density` | all | in space | in space |
+//! | `sample_with_density`, `lambert_weight` | all | all | not `CosPower` |
+//! | `sample_around_with_density` | in space | in space | in space |
+//! | points: `distance`, `sample_distance`, `sample_point` | not `CosPower` | not `CosPower` | not `CosPower` |
+//! | density of a point, and its logarithm | not `CosPower` | no: 1/(πρ²) and 3/(4πρ³) have no fixed scale, and inside the disk or ball they are constants; of a shell it is `pdf` | no |
 //! | [`Frame`](crate::Frame), [`FixedFrame`] | yes | yes | yes |
 //! | the power-on self-test, `Distribution`, `heapless`, `serde`, `defmt` | yes | yes | yes |
 //! | `ln_pdf`, `moments`, balance and power heuristics | yes | no: a logarithm or an entropy has no fixed scale | no |
-//! | `lambert_weight`, points with a radius | yes | not yet | not yet |
 //! | slices | yes | no: nothing vectorises on the cores these are for | no |
 //!
 //! # Recipes
@@ -140,15 +167,15 @@
 //! An angle in turns, `I0F32`, has the bits of the q31 angle of STM32's CORDIC unit, in which ±1
 //! stands for ±π: both fill the word with one turn.
 //!
-//! Beside a glob import of this crate the crate `fixed` is named `::fixed`, and of the two
-//! `CosPower`s the one that is meant is imported by its path:
+//! Glob imports of this crate and of the crate `fixed` stand side by side. Of the two `CosPower`s
+//! that of integers is named by its module; each in the place of the other is an error that says so:
 //!
 //! ```
-//! use coslobe::integers::CosPower;
 //! use coslobe::*;
-//! use ::fixed::types::{I1F31, U16F16};
+//! use fixed::{types::*, *};
 //! let mut rng = from_fn(|| 0x9E37_79B9);
-//! let ray: [I1F31; 3] = Fixed(CosPower::new(U16F16::from_num(20))).sample(&mut rng);
+//! let lobe = integers::CosPower::new(U16F16::from_num(20));
+//! let ray: [I1F31; 3] = Fixed(lobe).sample(&mut rng);
 //! # let _ = ray;
 //! ```
 //!
