@@ -82,10 +82,10 @@ pub mod accuracy;
 mod arithmetic;
 pub mod batch;
 mod cos_sin;
-#[cfg(feature = "fixed")]
-pub mod fixed;
 mod frame;
 mod generator;
+#[cfg(feature = "fixed")]
+pub mod integers;
 pub mod integration;
 mod law;
 mod moments;
@@ -100,10 +100,10 @@ mod weight;
 
 pub use batch::{Batch, LengthError};
 pub use cos_sin::CosSin;
-#[cfg(feature = "fixed")]
-pub use fixed::{Fixed, Fixed16};
 pub use frame::{Frame, NormalError};
 pub use generator::{FromFn, TryFromFn, from_fn, try_from_fn};
+#[cfg(feature = "fixed")]
+pub use integers::{Fixed, Fixed16};
 pub use law::{
     Ball, CircleArc, CircleShell, CosPower, Disk, ExponentError, Lambert, Law, Measure, Planar,
     Spatial, SphereArea, SphereShell,

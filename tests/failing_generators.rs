@@ -1,7 +1,7 @@
 //! Generators that fail, as hardware does: the error is handed on, no word is drawn after it, and
 //! without one the words and bits are those of `sample`.
 
-use coslobe::fixed::CosPower;
+use coslobe::integers::CosPower;
 use coslobe::rand_core::{Rng, TryRng};
 use coslobe::{Fixed, Fixed16, try_from_fn};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law, every_law, every_number};

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes src/fixed/q31/coefficients.rs and src/fixed/q15/coefficients.rs: the integer polynomials of the fixed-point laws.
+"""Writes src/integers/q31/coefficients.rs and src/integers/q15/coefficients.rs: the integer polynomials of the fixed-point laws.
 
 Needs Sollya (Debian: sollya) and mpmath (PyPI: mpmath). Run from the repository's root:
 
@@ -145,7 +145,7 @@ def short():
         "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding",
         "//! comes on top.",
         "",
-        "use crate::fixed::kernel::poly::Polynomial;",
+        "use crate::integers::kernel::poly::Polynomial;",
         *MIDDLE,
     ]
     for name, f, interval, wanted, k, doc in SHORT_SPECS:
@@ -163,7 +163,7 @@ def short():
         assert all(0 < v < 2**16 + 1 for v in steps[-1]), (name, whole)
         lines += ["", *documented(doc, interval, k, error),
                   f"pub(crate) const {name}: Polynomial<{kind}, {len(c)}, 0> = Polynomial {{ small: {whole[::-1]}, large: [] }};"]
-    write("src/fixed/q15/coefficients.rs", lines)
+    write("src/integers/q15/coefficients.rs", lines)
 
 
 def main():
@@ -174,7 +174,7 @@ def main():
         "//! Each error is absolute, certified by Sollya's `supnorm`, of the polynomial as stored; rounding",
         "//! comes on top.",
         "",
-        "use crate::fixed::kernel::poly::Polynomial;",
+        "use crate::integers::kernel::poly::Polynomial;",
         *MIDDLE,
     ]
     for name, f, interval, wanted, k, doc in SPECS:
@@ -205,7 +205,7 @@ def main():
         lines += ["", *documented(doc, interval, k, error),
                   f"pub(crate) const {name}: Polynomial<{kind}, {split}, {len(top) - split}> = "
                   f"Polynomial {{ small: {top[:split]}, large: {top[split:]} }};"]
-    write("src/fixed/q31/coefficients.rs", lines)
+    write("src/integers/q31/coefficients.rs", lines)
 
 
 if __name__ == "__main__":

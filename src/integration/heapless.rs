@@ -1,7 +1,7 @@
 //! `heapless`: fills a vector of fixed capacity, without an allocator.
 
 #[cfg(feature = "fixed")]
-use crate::fixed::{Format, Formulas, Integers};
+use crate::integers::{Format, Formulas, Integers};
 use crate::{Planar, Real, Spatial};
 use heapless::Vec;
 use rand_core::Rng;

@@ -4,7 +4,7 @@
 //! ambiguity. Randomness as [`Planar::sample`] and [`Spatial::sample`].
 
 #[cfg(feature = "fixed")]
-use crate::fixed::{Format, Formulas, Integers};
+use crate::integers::{Format, Formulas, Integers};
 use crate::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Lambert, Planar, Real, Spatial, SphereShell,
 };

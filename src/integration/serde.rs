@@ -1,7 +1,7 @@
 //! `serde`: the types whose values are checked or rebuilt when read; the plain ones derive.
 
 #[cfg(feature = "fixed")]
-use crate::fixed::{Component, FixedFrame};
+use crate::integers::{Component, FixedFrame};
 use crate::{CosPower, Frame, NormalError, Radius, Real};
 use core::fmt;
 use serde::de::{Deserialize, Deserializer, Error};
@@ -32,7 +32,7 @@ impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for CosPower<T> {
 
 /// As the float law: `{ "exponent": k }`, k as the `fixed` crate writes it.
 #[cfg(feature = "fixed")]
-impl Serialize for crate::fixed::CosPower {
+impl Serialize for crate::integers::CosPower {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let exponent = self.exponent();
         Lobe { exponent }.serialize(serializer)
@@ -41,7 +41,7 @@ impl Serialize for crate::fixed::CosPower {
 
 /// From `{ "exponent": k }`: every `k` is one.
 #[cfg(feature = "fixed")]
-impl<'de> Deserialize<'de> for crate::fixed::CosPower {
+impl<'de> Deserialize<'de> for crate::integers::CosPower {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         Ok(Self::new(Lobe::deserialize(deserializer)?.exponent))
     }

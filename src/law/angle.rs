@@ -14,7 +14,9 @@ use crate::{CosSin, Moments, Tails};
 /// \[0, 1\] gives NaN. No input panics. The accuracy of each is in [`accuracy`](crate::accuracy).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a law in the number type `{T}`",
-    label = "no law of a direction in `{T}`"
+    label = "no law of a direction in `{T}`",
+    note = "in integers a law is inside `Fixed` or `Fixed16`; `coslobe::integers::CosPower` is a law \
+            there alone, and `coslobe::CosPower` that of floats"
 )]
 pub trait Law<T: Real> {
     /// Density of θ: per radian for planar laws; for spatial ones per dθ dφ (the paper's q),

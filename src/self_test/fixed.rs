@@ -2,7 +2,7 @@
 
 use super::{Invalid, Place, Subject, Test};
 use crate::CosSin;
-use crate::fixed::{Component, Format, Formulas, Integers};
+use crate::integers::{Component, Format, Formulas, Integers};
 use ::fixed::traits::Fixed;
 use rand_core::Rng;
 

@@ -1,8 +1,8 @@
 //! Frames and directions around a normal in integers, against `f64`: errors by search, and what normals are refused.
 
-use coslobe::fixed::FixedFrame;
+use coslobe::integers::FixedFrame;
 use coslobe::rand_core::Rng;
-use coslobe::{Ball, Fixed, Fixed16, NormalError};
+use coslobe::{Ball, Disk, Fixed, Fixed16, NormalError};
 use fixed::types::{I1F15, I1F31};
 use kit::stats::words;
 
@@ -164,6 +164,21 @@ fn samples_with_density_are_the_same() {
         assert!(sample.density > 0 && sample.density == Fixed16(Ball).density(sample.at));
         let [x, _, z] = plain.direction.map(f64::from);
         assert!((x.hypot(z) - f64::from(plain.at.sin)).abs() < 3.0 * I1F15::UNIT);
+    }
+}
+
+#[test]
+fn samples_of_the_plane_with_density_are_the_same() {
+    let [mut a, mut b] = [0; 2].map(|_: i32| words::pcg("density"));
+    for _ in 0..10_000 {
+        let sample = Fixed(Disk).sample_with_density(&mut a);
+        assert_eq!(sample.direction, Fixed(Disk).sample(&mut b));
+        assert_eq!([sample.at.sin, sample.at.cos], sample.direction);
+        assert!(sample.density > 0 && sample.density == Fixed(Disk).density(sample.at));
+        let sample = Fixed16(Disk).sample_with_density(&mut a);
+        assert_eq!(sample.direction, Fixed16(Disk).sample(&mut b));
+        assert_eq!([sample.at.sin, sample.at.cos], sample.direction);
+        assert!(sample.density > 0 && sample.density == Fixed16(Disk).density(sample.at));
     }
 }
 

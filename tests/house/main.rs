@@ -27,7 +27,7 @@ const ROOMS: [&str; 18] = [
     "batch",
     "law",
     "point",
-    "fixed",
+    "integers",
     "self_test",
     "integration",
 ];

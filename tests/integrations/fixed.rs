@@ -3,7 +3,7 @@
 #[cfg(any(feature = "heapless", feature = "rand"))]
 use crate::generator;
 use ::fixed::types::{I1F15, I1F31, U16F16};
-use coslobe::fixed::{CosPower, FixedFrame};
+use coslobe::integers::{CosPower, FixedFrame};
 use coslobe::{Ball, Fixed, Fixed16, Lambert};
 
 #[cfg(feature = "rand")]

@@ -1,7 +1,7 @@
 //! What the interface promises beside statistics.
 
 use crate::generators::good;
-use coslobe::fixed::{Fixed16Planar, Fixed16Spatial, FixedPlanar, FixedSpatial};
+use coslobe::integers::{Fixed16Planar, Fixed16Spatial, FixedPlanar, FixedSpatial};
 use coslobe::rand_core::Rng;
 use coslobe::self_test::{self, Alarm, Fault, InSpace, Invalid, Place, Subject, Test};
 use coslobe::{CosPower, Fixed, Fixed16, Lambert};
@@ -42,7 +42,7 @@ impl IntegerVisitor for Laws {
         passes(self_test::fixed(Fixed(law)));
         passes(self_test::fixed(Fixed16(law)));
     }
-    fn power(&mut self, law: coslobe::fixed::CosPower) {
+    fn power(&mut self, law: coslobe::integers::CosPower) {
         passes(self_test::fixed(Fixed(law)));
     }
 }

@@ -2,7 +2,7 @@
 //! generators that are stuck.
 
 use crate::drawn::{Draws, N};
-use coslobe::fixed::CosPower;
+use coslobe::integers::CosPower;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CosSin, Fixed, Lambert};
 use fixed::types::{I0F32, U0F32, U16F16};
@@ -93,7 +93,8 @@ fn wrong_laws_are_rejected() {
     // A uniform of 24 bits has no direction nearer to the horizon than its last step.
     let cut = |rng: &mut dyn Rng| {
         let at = Fixed(Ball).warp_sf(U0F32::from_bits(rng.next_u32() & !0xFF | 0x80));
-        let azimuth: CosSin<_> = coslobe::fixed::cos_sin(I0F32::from_bits(rng.next_u32() as i32));
+        let azimuth: CosSin<_> =
+            coslobe::integers::cos_sin(I0F32::from_bits(rng.next_u32() as i32));
         let [cos, sin, x, z] = [at.cos, at.sin, azimuth.cos, azimuth.sin].map(f64::from);
         [sin * x, cos, sin * z]
     };

@@ -3,8 +3,11 @@
 //! The paper sets out to normalise points uniform on a surface, but its δ(r − 2ρ cos θ) measures a
 //! shell of constant radial thickness. This shows both, and that no law passes for another.
 
-use coslobe::{Measure, Radius};
-use kit::catalogue::{every_law, every_number};
+use coslobe::integers::{Fixed16Planar, Fixed16Spatial, FixedPlanar, FixedRadius, FixedSpatial};
+use coslobe::{Fixed, Fixed16, Measure, Radius};
+use fixed::traits::FixedSigned;
+use fixed::types::{I16F0, I16F16, I32F0};
+use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law, every_law, every_number};
 use kit::stats::claim::Claim;
 use kit::stats::measures::{from_centre, radius, raw_point};
 use kit::stats::{chi2, ks, words};
@@ -103,13 +106,15 @@ impl Points {
             // Coordinates beside the smallest number have no digits to test.
             if rho > T::SMALLEST {
                 let unit = points.iter().map(|point| point.map(|c| c / rho.into()));
-                Self::uniform::<T>(&case, measure, unit.map(from_centre).collect());
+                // A point on the surface has the length of its direction twice.
+                let slack = 2.0 * T::LENGTH;
+                Self::uniform(&case, measure, slack, unit.map(from_centre).collect());
             }
         }
     }
 
     /// Points about the origin, which have to be uniform by `measure` in the unit body.
-    fn uniform<T: Number>(case: &str, measure: Measure, points: Vec<[f64; 3]>) {
+    fn uniform(case: &str, measure: Measure, slack: f64, points: Vec<[f64; 3]>) {
         let power = match measure {
             Measure::Area => 2,
             Measure::Volume => 3,
@@ -120,7 +125,6 @@ impl Points {
             println!("{case}: {what} p = {p:.1e}");
             assert!(p > 1e-5, "{case}: {what} is not uniform, p = {p:e}");
         };
-        let slack = 2.0 * T::LENGTH; // a point on the surface has that of its direction twice
         if power == 0 {
             let worst = points
                 .iter()
@@ -182,4 +186,70 @@ impl NumberVisitor for Points {
 #[test]
 fn points_are_uniform() {
     every_number(&mut Points);
+}
+
+/// In integers: of 32 bits at radii of two magnitudes, of 16 bits at the largest.
+struct InIntegers;
+
+impl InIntegers {
+    fn check<const N: usize, D: FixedSigned>(
+        name: &str,
+        measure: Measure,
+        rho: D,
+        draw: impl Fn(FixedRadius<D>, &mut Pcg64) -> [D; N],
+    ) {
+        let radius = FixedRadius::new(rho).expect("a radius");
+        let rho: f64 = rho.to_num();
+        let case = format!("{name} of {} bits, rho={rho}", 8 * size_of::<D>());
+        let mut rng = words::pcg(&case);
+        let mut point = || {
+            let mut all = [0.0; 3];
+            let point = draw(radius, &mut rng);
+            all.iter_mut()
+                .zip(point)
+                .for_each(|(to, from)| *to = from.to_num::<f64>() / rho);
+            from_centre(all)
+        };
+        let points = (0..N_POINTS).map(|_| point()).collect();
+        // A unit or two of the coordinates, and of the direction.
+        let unit = D::DELTA.to_num::<f64>() / rho;
+        Points::uniform(&case, measure, 4.0 * unit, points);
+    }
+}
+
+const N_POINTS: usize = N / 4; // more would see a grid of 16 bits
+
+impl IntegerVisitor for InIntegers {
+    fn law<L: IntegerLaw>(&mut self, _: L) {}
+    fn planar<L: IntegerLaw + FixedPlanar + Fixed16Planar>(&mut self, law: L) {
+        let (long, short) = (Fixed(law), Fixed16(law));
+        let (name, measure) = (L::ID.name(), Fixed::<L>::MEASURE);
+        let (millimetres, units) = (I16F16::from_num(100), I32F0::from_num(1 << 28));
+        Self::check(name, measure, millimetres, |rho, rng| {
+            long.sample_point(rho, rng)
+        });
+        Self::check(name, measure, units, |rho, rng| long.sample_point(rho, rng));
+        let short_units = I16F0::from_num(8_000);
+        Self::check(name, measure, short_units, |rho, rng| {
+            short.sample_point(rho, rng)
+        });
+    }
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
+        let (long, short) = (Fixed(law), Fixed16(law));
+        let (name, measure) = (L::ID.name(), Fixed::<L>::MEASURE);
+        let (millimetres, units) = (I16F16::from_num(100), I32F0::from_num(1 << 28));
+        Self::check(name, measure, millimetres, |rho, rng| {
+            long.sample_point(rho, rng)
+        });
+        Self::check(name, measure, units, |rho, rng| long.sample_point(rho, rng));
+        let short_units = I16F0::from_num(8_000);
+        Self::check(name, measure, short_units, |rho, rng| {
+            short.sample_point(rho, rng)
+        });
+    }
+}
+
+#[test]
+fn points_in_integers_are_uniform() {
+    every_integer_law(&mut InIntegers);
 }

@@ -1,7 +1,7 @@
 //! Generators whose low bits are poor, as the cheap ones of firmware are: signs, azimuths and the
 //! law itself pass χ² all the same, in every number type.
 
-use coslobe::fixed::CosPower;
+use coslobe::integers::CosPower;
 use coslobe::rand_core::Rng;
 use coslobe::{CircleArc, Fixed, Law, from_fn};
 use fixed::traits::ToFixed;

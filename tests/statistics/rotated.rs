@@ -1,6 +1,6 @@
 //! Lobes around a normal in integers, turned back into the axes of the law.
 
-use coslobe::fixed::CosPower;
+use coslobe::integers::CosPower;
 use coslobe::{Ball, Fixed, Fixed16, Frame, Lambert};
 use fixed::types::{I1F15, I1F31, U16F16};
 use kit::Id;

@@ -1,6 +1,6 @@
 //! Each sample against the closed form of the words that it took, which pins what is documented of them.
 
-use coslobe::fixed::Fixed16Law;
+use coslobe::integers::Fixed16Law;
 use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, Disk, Fixed16, Lambert, SphereShell};
 use fixed::types::I1F15;

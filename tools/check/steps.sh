@@ -38,6 +38,7 @@ step readme                   full  release        -                 readme
 step runner                   quick -              -                 runner_says_what_it_lacks
 step template                 full  template       qemu,thumbv7em-none-eabihf tools/check/template
 step refused-targets          full  -              i586-unknown-linux-gnu tools/refused_targets
+step refused-programs         full  -              -                    tools/refused_programs
 step readme-firmware          full  boards         qemu,defmt-print,thumbv7em-none-eabihf tools/check/readme README.md firmware
 
 workspaces=(Cargo.toml fuzz/Cargo.toml examples/firmware/Cargo.toml)
@@ -89,7 +90,10 @@ core_for_targets() {
   targets=$(there thumbv6m-none-eabi thumbv7em-none-eabihf)
   [ -n "$targets" ] || return 0
   cargo build --release --quiet --lib $targets
-  cargo build --release --quiet --lib $targets --features defmt,heapless
+  cargo build --release --quiet --lib $targets --features defmt,heapless,fixed,mint,serde
+  # Without atomics nothing emulates them, on no target that a firmware might have.
+  if cargo tree --edges normal --features fixed,defmt,heapless,mint,serde,rand --target all |
+    grep -E 'portable-atomic|critical-section'; then return 1; fi
 }
 
 costs_on_host() { # without valgrind it still asks each sampler for its law

@@ -1,4 +1,4 @@
-/* coslobe for C: directions of the laws p ~ cos^k(theta). Made by tools/c_api.py, not by hand.
+/* coslobe for C: directions of the laws p ~ cos^k(theta). Made by surface/, not by hand.
  *
  * theta is the angle from the axis +y; a direction is [sin(theta), cos(theta)] in the plane and
  * [sin(theta) cos(phi), cos(theta), sin(theta) sin(phi)] in space. Each function is named
@@ -19,13 +19,14 @@
  *   density           per radian or steradian at a direction, from its cosine: no trigonometry.
  *   cdf, sf           P(Theta <= theta) and P(Theta > theta); unwarp, unwarp_sf: at a direction.
  *   quantile, isf     theta where cdf, sf is p; warp, warp_sf: cosine and sine there.
- *   lambert_weight    the weight of a sample of a white Lambert reflector.
+ *   lambert_weight    the weight of a sample of a white Lambert reflector: integers in 2^-16.
  *
  * Types
  *   f32, fast   float. Angles are in radians. A NaN gives a NaN; a probability outside 0 to 1 too.
  *   q31         integers of 32 bits: components in units of 2^-31, probabilities and densities
  *               (cos_power's apart) of 2^-32, angles of 2^-32 of a turn.
  *   q15         integers of 16 bits: the same with 2^-15, 2^-16 and 2^-16 of a turn.
+ *               A radius and its point are in a unit of length of yours.
  *               Integers saturate: the probability 1 is 2^32 - 1, the component 1 is 2^31 - 1.
  *
  * Pointers are never NULL, unless it says so; COSLOBE_NULL_POINTER answers one that is, with
@@ -56,7 +57,8 @@
 #define COSLOBE_OK 0
 #define COSLOBE_NULL_POINTER (-1)
 #define COSLOBE_EXPONENT (-2) /* NaN, negative or infinite: nothing was written. */
-#define COSLOBE_RADIUS (-3) /* NaN, below the smallest normal number, above a quarter of the largest. */
+#define COSLOBE_RADIUS (-3) /* NaN, below the smallest normal number (integers: not positive), above a
+                             * quarter of the largest. */
 #define COSLOBE_FAULT (-4) /* The self-test found one. */
 
 /* A generator of random words. */
@@ -90,6 +92,7 @@ typedef int32_t coslobe_turn_q32; /* angle: 2^-32 of a turn */
 typedef uint32_t coslobe_density_q32; /* per radian or steradian: 2^-32 */
 typedef uint32_t coslobe_density_q16_16; /* cos_power's, per steradian: 2^-16 */
 typedef uint32_t coslobe_exponent_q16_16; /* 2^-16 */
+typedef uint32_t coslobe_weight_q16_16; /* both formats': 2^-16; a larger one is 2^32 - 1 */
 typedef int16_t coslobe_q15; /* component: 2^-15 */
 typedef uint16_t coslobe_probability_q16; /* 2^-16 */
 typedef int16_t coslobe_turn_q16; /* angle: 2^-16 of a turn */
@@ -515,6 +518,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_disk_point_q31(
+    int32_t radius, const coslobe_rng *rng, int32_t point[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_disk_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_disk_pdf_q31(coslobe_turn_q32 theta);
@@ -527,12 +532,15 @@ COSLOBE_CONST coslobe_cos_sin_q31 coslobe_disk_warp_sf_q31(coslobe_probability_q
 COSLOBE_CONST coslobe_probability_q32 coslobe_disk_unwarp_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_probability_q32 coslobe_disk_unwarp_sf_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_density_q32 coslobe_disk_density_q31(coslobe_cos_sin_q31 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_disk_lambert_weight_q31(coslobe_cos_sin_q31 at);
 
 /* circle_shell, radial shell on a circle: cos(theta) / 2 per radian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_circle_shell_point_q31(
+    int32_t radius, const coslobe_rng *rng, int32_t point[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_shell_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_circle_shell_pdf_q31(coslobe_turn_q32 theta);
@@ -546,12 +554,16 @@ COSLOBE_CONST coslobe_probability_q32 coslobe_circle_shell_unwarp_q31(coslobe_co
 COSLOBE_CONST coslobe_probability_q32 coslobe_circle_shell_unwarp_sf_q31(
     coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_density_q32 coslobe_circle_shell_density_q31(coslobe_cos_sin_q31 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_circle_shell_lambert_weight_q31(
+    coslobe_cos_sin_q31 at);
 
 /* circle_arc, uniform by arc length on a circle: 1 / pi per radian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_sample_q31(
     const coslobe_rng *rng, coslobe_q31 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_circle_arc_point_q31(
+    int32_t radius, const coslobe_rng *rng, int32_t point[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_arc_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_circle_arc_pdf_q31(coslobe_turn_q32 theta);
@@ -564,6 +576,8 @@ COSLOBE_CONST coslobe_cos_sin_q31 coslobe_circle_arc_warp_sf_q31(coslobe_probabi
 COSLOBE_CONST coslobe_probability_q32 coslobe_circle_arc_unwarp_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_probability_q32 coslobe_circle_arc_unwarp_sf_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_density_q32 coslobe_circle_arc_density_q31(coslobe_cos_sin_q31 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_circle_arc_lambert_weight_q31(
+    coslobe_cos_sin_q31 at);
 
 /* ball, uniform by volume in a ball: 2 cos^3(theta) / pi per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_sample_q31(
@@ -574,6 +588,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_ball_warp_direction_q31(
     coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_ball_point_q31(
+    int32_t radius, const coslobe_rng *rng, int32_t point[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_ball_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_ball_pdf_q31(coslobe_turn_q32 theta);
@@ -587,6 +603,7 @@ COSLOBE_CONST coslobe_cos_sin_q31 coslobe_ball_warp_sf_q31(coslobe_probability_q
 COSLOBE_CONST coslobe_probability_q32 coslobe_ball_unwarp_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_probability_q32 coslobe_ball_unwarp_sf_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_density_q32 coslobe_ball_density_q31(coslobe_cos_sin_q31 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_ball_lambert_weight_q31(coslobe_cos_sin_q31 at);
 
 /* sphere_shell, radial shell on a sphere: 3 cos^2(theta) / (2 pi) per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_sample_q31(
@@ -597,6 +614,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_sphere_shell_warp_direction_q31(
     coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_sphere_shell_point_q31(
+    int32_t radius, const coslobe_rng *rng, int32_t point[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_sphere_shell_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_pdf_q31(coslobe_turn_q32 theta);
@@ -612,6 +631,8 @@ COSLOBE_CONST coslobe_probability_q32 coslobe_sphere_shell_unwarp_q31(coslobe_co
 COSLOBE_CONST coslobe_probability_q32 coslobe_sphere_shell_unwarp_sf_q31(
     coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_density_q32 coslobe_sphere_shell_density_q31(coslobe_cos_sin_q31 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_sphere_shell_lambert_weight_q31(
+    coslobe_cos_sin_q31 at);
 
 /* lambert, uniform by area on a sphere: cos(theta) / pi per steradian, Lambert's law. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_sample_q31(
@@ -622,6 +643,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_fill_q31(
     const coslobe_rng *rng, coslobe_q31 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_lambert_warp_direction_q31(
     coslobe_probability_q32 p, coslobe_probability_q32 turn, coslobe_q31 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_lambert_point_q31(
+    int32_t radius, const coslobe_rng *rng, int32_t point[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_lambert_self_test_q31(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q32 coslobe_lambert_pdf_q31(coslobe_turn_q32 theta);
@@ -635,6 +658,7 @@ COSLOBE_CONST coslobe_cos_sin_q31 coslobe_lambert_warp_sf_q31(coslobe_probabilit
 COSLOBE_CONST coslobe_probability_q32 coslobe_lambert_unwarp_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_probability_q32 coslobe_lambert_unwarp_sf_q31(coslobe_cos_sin_q31 at);
 COSLOBE_CONST coslobe_density_q32 coslobe_lambert_density_q31(coslobe_cos_sin_q31 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_lambert_lambert_weight_q31(coslobe_cos_sin_q31 at);
 
 /* cos_power, the Phong lobe: (k + 1) cos^k(theta) / (2 pi) per steradian, k >= 0. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_cos_power_init_q31(
@@ -674,6 +698,8 @@ COSLOBE_NONNULL((1)) coslobe_probability_q32 coslobe_cos_power_unwarp_sf_q31(
     const coslobe_cos_power_q31 *law, coslobe_cos_sin_q31 at);
 COSLOBE_NONNULL((1)) coslobe_density_q16_16 coslobe_cos_power_density_q31(
     const coslobe_cos_power_q31 *law, coslobe_cos_sin_q31 at);
+COSLOBE_NONNULL((1)) coslobe_weight_q16_16 coslobe_cos_power_lambert_weight_q31(
+    const coslobe_cos_power_q31 *law, coslobe_cos_sin_q31 at);
 
 /* ---- q15: 16-bit integers: a third of the instructions on a Cortex-M0 ---- */
 
@@ -682,6 +708,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_disk_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_disk_point_q15(
+    int16_t radius, const coslobe_rng *rng, int16_t point[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_disk_self_test_q15(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_disk_pdf_q15(coslobe_turn_q16 theta);
@@ -694,12 +722,15 @@ COSLOBE_CONST coslobe_cos_sin_q15 coslobe_disk_warp_sf_q15(coslobe_probability_q
 COSLOBE_CONST coslobe_probability_q16 coslobe_disk_unwarp_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_probability_q16 coslobe_disk_unwarp_sf_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_density_q16 coslobe_disk_density_q15(coslobe_cos_sin_q15 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_disk_lambert_weight_q15(coslobe_cos_sin_q15 at);
 
 /* circle_shell, radial shell on a circle: cos(theta) / 2 per radian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_shell_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_circle_shell_point_q15(
+    int16_t radius, const coslobe_rng *rng, int16_t point[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_shell_self_test_q15(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_shell_pdf_q15(coslobe_turn_q16 theta);
@@ -713,12 +744,16 @@ COSLOBE_CONST coslobe_probability_q16 coslobe_circle_shell_unwarp_q15(coslobe_co
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_shell_unwarp_sf_q15(
     coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_shell_density_q15(coslobe_cos_sin_q15 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_circle_shell_lambert_weight_q15(
+    coslobe_cos_sin_q15 at);
 
 /* circle_arc, uniform by arc length on a circle: 1 / pi per radian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_sample_q15(
     const coslobe_rng *rng, coslobe_q15 direction[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_circle_arc_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_circle_arc_point_q15(
+    int16_t radius, const coslobe_rng *rng, int16_t point[2]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_circle_arc_self_test_q15(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_arc_pdf_q15(coslobe_turn_q16 theta);
@@ -731,6 +766,8 @@ COSLOBE_CONST coslobe_cos_sin_q15 coslobe_circle_arc_warp_sf_q15(coslobe_probabi
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_arc_unwarp_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_probability_q16 coslobe_circle_arc_unwarp_sf_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_density_q16 coslobe_circle_arc_density_q15(coslobe_cos_sin_q15 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_circle_arc_lambert_weight_q15(
+    coslobe_cos_sin_q15 at);
 
 /* ball, uniform by volume in a ball: 2 cos^3(theta) / pi per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_sample_q15(
@@ -741,6 +778,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_ball_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_ball_warp_direction_q15(
     coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_ball_point_q15(
+    int16_t radius, const coslobe_rng *rng, int16_t point[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_ball_self_test_q15(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_ball_pdf_q15(coslobe_turn_q16 theta);
@@ -754,6 +793,7 @@ COSLOBE_CONST coslobe_cos_sin_q15 coslobe_ball_warp_sf_q15(coslobe_probability_q
 COSLOBE_CONST coslobe_probability_q16 coslobe_ball_unwarp_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_probability_q16 coslobe_ball_unwarp_sf_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_density_q16 coslobe_ball_density_q15(coslobe_cos_sin_q15 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_ball_lambert_weight_q15(coslobe_cos_sin_q15 at);
 
 /* sphere_shell, radial shell on a sphere: 3 cos^2(theta) / (2 pi) per steradian. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_sample_q15(
@@ -764,6 +804,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_sphere_shell_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_sphere_shell_warp_direction_q15(
     coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_sphere_shell_point_q15(
+    int16_t radius, const coslobe_rng *rng, int16_t point[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_sphere_shell_self_test_q15(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_pdf_q15(coslobe_turn_q16 theta);
@@ -779,6 +821,8 @@ COSLOBE_CONST coslobe_probability_q16 coslobe_sphere_shell_unwarp_q15(coslobe_co
 COSLOBE_CONST coslobe_probability_q16 coslobe_sphere_shell_unwarp_sf_q15(
     coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_density_q16 coslobe_sphere_shell_density_q15(coslobe_cos_sin_q15 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_sphere_shell_lambert_weight_q15(
+    coslobe_cos_sin_q15 at);
 
 /* lambert, uniform by area on a sphere: cos(theta) / pi per steradian, Lambert's law. */
 COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_sample_q15(
@@ -789,6 +833,8 @@ COSLOBE_CHECKED COSLOBE_NONNULL((1, 2)) int coslobe_lambert_fill_q15(
     const coslobe_rng *rng, coslobe_q15 *directions, size_t n, size_t *filled);
 COSLOBE_CHECKED COSLOBE_NONNULL((3)) int coslobe_lambert_warp_direction_q15(
     coslobe_probability_q16 p, coslobe_probability_q16 turn, coslobe_q15 direction[3]);
+COSLOBE_CHECKED COSLOBE_NONNULL((2, 3)) int coslobe_lambert_point_q15(
+    int16_t radius, const coslobe_rng *rng, int16_t point[3]);
 COSLOBE_CHECKED COSLOBE_NONNULL((1)) int coslobe_lambert_self_test_q15(
     const coslobe_rng *rng, coslobe_fault *fault);
 COSLOBE_CONST coslobe_density_q16 coslobe_lambert_pdf_q15(coslobe_turn_q16 theta);
@@ -802,6 +848,7 @@ COSLOBE_CONST coslobe_cos_sin_q15 coslobe_lambert_warp_sf_q15(coslobe_probabilit
 COSLOBE_CONST coslobe_probability_q16 coslobe_lambert_unwarp_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_probability_q16 coslobe_lambert_unwarp_sf_q15(coslobe_cos_sin_q15 at);
 COSLOBE_CONST coslobe_density_q16 coslobe_lambert_density_q15(coslobe_cos_sin_q15 at);
+COSLOBE_CONST coslobe_weight_q16_16 coslobe_lambert_lambert_weight_q15(coslobe_cos_sin_q15 at);
 
 #ifdef __cplusplus
 }

@@ -1,12 +1,14 @@
 //! coslobe for C. The header, include/coslobe.h, says what each function takes and returns.
 //!
-//! Where C's pointers are followed is boundary.rs. The functions are made by tools/c_api.py from
-//! one table; the crate below has no unsafe code.
+//! Where C's pointers are followed is boundary.rs. The functions are made by build.rs from the table
+//! in surface/; the crate below has no unsafe code.
 #![cfg_attr(target_os = "none", no_std)]
 
 mod boundary;
 #[allow(clippy::missing_safety_doc, clippy::undocumented_unsafe_blocks)] // boundary.rs says it once
-mod generated;
+mod shims {
+    include!(concat!(env!("OUT_DIR"), "/shims.rs"));
+}
 
 /// Panics where no one looks: the proof that no panic is linked has to find it.
 #[cfg(planted)]

@@ -137,12 +137,14 @@ OF_NUMBER(angle_of_probability_q31, int32_t, bits_q31, uint32_t, input_u32)
 TO_PAIR(pair_of_probability_q31, q31, uint32_t, input_u32)
 OF_PAIR(probability_of_pair_q31, uint32_t, bits_u32, q31)
 OF_PAIR(density_of_pair_q31, uint32_t, bits_u32, q31)
+OF_PAIR(weight_of_pair_q31, uint32_t, bits_u32, q31)
 OF_NUMBER(density_of_angle_q15, uint16_t, bits_u32, int16_t, input_q15)
 OF_NUMBER(probability_of_angle_q15, uint16_t, bits_u32, int16_t, input_q15)
 OF_NUMBER(angle_of_probability_q15, int16_t, bits_q15, uint16_t, input_u16)
 TO_PAIR(pair_of_probability_q15, q15, uint16_t, input_u16)
 OF_PAIR(probability_of_pair_q15, uint16_t, bits_u32, q15)
 OF_PAIR(density_of_pair_q15, uint16_t, bits_u32, q15)
+OF_PAIR(weight_of_pair_q15, uint32_t, bits_u32, q15)
 
 /* Sixteen draws; then a generator that fails in the first draw: its code comes back and nothing is
  * written; then null pointers. */
@@ -193,8 +195,12 @@ static const int16_t NORMAL_Q15[3] = {0x4ccd, 0, -0x6666};
 AROUND(f32, float, bits_f32, NORMAL_F32)
 AROUND(q31, int32_t, bits_q31, NORMAL_Q31)
 AROUND(q15, int16_t, bits_q15, NORMAL_Q15)
-DRAWS(point2_f32, float, bits_f32, 2, (float, const coslobe_rng *, float *), (2.5f, rng, out))
-DRAWS(point3_f32, float, bits_f32, 3, (float, const coslobe_rng *, float *), (2.5f, rng, out))
+#define POINTS(base, type, bits, radius) \
+    DRAWS(point2_##base, type, bits, 2, (type, const coslobe_rng *, type *), (radius, rng, out)) \
+    DRAWS(point3_##base, type, bits, 3, (type, const coslobe_rng *, type *), (radius, rng, out))
+POINTS(f32, float, bits_f32, 2.5f)
+POINTS(q31, int32_t, bits_q31, 0x1fffffff) /* the largest */
+POINTS(q15, int16_t, bits_q15, 0x1fff)
 
 #define WARP_DIRECTION(base, type, bits, argument, input) \
     static void run_warp_direction3_##base(const char *name, int (*f)(argument, argument, type *)) \
@@ -258,6 +264,7 @@ static int refuses(void)
     coslobe_rng rng;
     float out[2] = {9, 9}, many[6];
     size_t filled = 99;
+    int32_t place[2] = {9, 9};
     coslobe_cos_power_f32 *volatile none = NULL;
     const coslobe_cos_power_f32 before = lobe_f32;
     size_t i;
@@ -272,6 +279,8 @@ static int refuses(void)
     for (i = 0; i < sizeof before.state / sizeof before.state[0]; i++)
         same &= before.state[i] == lobe_f32.state[i];
     return same && coslobe_disk_point_f32(-1, &rng, out) == COSLOBE_RADIUS && out[0] == 9 &&
+           coslobe_disk_point_q31(0, &rng, place) == COSLOBE_RADIUS &&
+           coslobe_disk_point_q31(0x20000000, &rng, place) == COSLOBE_RADIUS && place[0] == 9 &&
            pcg.words_left == 4 && coslobe_disk_fill_f32(&rng, many, 3, &filled) == 7 && filled == 2;
 }
 

@@ -1,7 +1,7 @@
 //! Fixed point: no word, pair or exponent may overflow, panic or leave its range.
 
 use super::input::Words;
-use coslobe::fixed::{CosPower, FixedLaw, cos_sin};
+use coslobe::integers::{CosPower, FixedLaw, cos_sin};
 use coslobe::{CosSin, Fixed};
 use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};

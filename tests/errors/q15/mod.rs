@@ -3,6 +3,7 @@
 
 mod corners;
 mod pairs;
+mod weights_and_points;
 mod wrong;
 
 use fixed::types::I1F15;

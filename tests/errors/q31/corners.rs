@@ -23,7 +23,7 @@ fn any_pair_is_safe() {
         -0x5A82_799A,
     ];
     let laws = [0u32, 1, 1 << 16, 64 << 16, u32::MAX]
-        .map(|k| Fixed(coslobe::fixed::CosPower::new(U16F16::from_bits(k))));
+        .map(|k| Fixed(coslobe::integers::CosPower::new(U16F16::from_bits(k))));
     let scattered = (1..400u32).map(|i| i.wrapping_mul(0x9E37_79B9) as i32);
     let words: Vec<_> = words
         .into_iter()

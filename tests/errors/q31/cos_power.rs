@@ -38,7 +38,7 @@ fn ln_cos(turn: f64) -> f64 {
 #[test]
 fn cos_power_in_strides() {
     for (k, bounds) in POWERS {
-        let law = Fixed(coslobe::fixed::CosPower::new(U16F16::from_num(k)));
+        let law = Fixed(coslobe::integers::CosPower::new(U16F16::from_num(k)));
         let n = k + 1.0;
         let pair = |lower, upper| power_pair(k, lower, upper);
         // θ of the first quadrant.
@@ -107,7 +107,7 @@ fn the_rim_has_a_density_for_k_0_alone() {
     };
     let quarter = I0F32::from_bits(1 << 30);
     for k in [0, 1, 1 << 16, u32::MAX] {
-        let law = Fixed(coslobe::fixed::CosPower::new(U16F16::from_bits(k)));
+        let law = Fixed(coslobe::integers::CosPower::new(U16F16::from_bits(k)));
         let want = if k == 0 { uniform } else { 0 };
         assert_eq!(law.density(rim).to_bits(), want, "k = {k}/65536");
         assert_eq!(law.pdf(quarter).to_bits(), want, "k = {k}/65536");

@@ -3,6 +3,7 @@
 
 mod corners;
 mod cos_power;
+mod weights_and_points;
 
 use coslobe::CosSin;
 use fixed::types::{I1F31, U0F32};

@@ -4,7 +4,7 @@ use crate::Number;
 pub use crate::visitor::*;
 use ::fixed::types::U16F16;
 use core::fmt;
-use coslobe::fixed as integers;
+use coslobe::integers;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, Precise, SphereShell,
 };

@@ -53,7 +53,7 @@ fn share(word: u64) -> f64 {
 }
 
 /// SplitMix64 at a counter.
-pub(crate) fn mix(index: u32, stream: u32) -> u64 {
+pub fn mix(index: u32, stream: u32) -> u64 {
     let mut z = (u64::from(index) << 1 | u64::from(stream))
         .wrapping_add(1)
         .wrapping_mul(0x9E37_79B9_7F4A_7C15);

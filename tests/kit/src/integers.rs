@@ -3,7 +3,7 @@
 use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use crate::input::mix;
 use crate::{Laws, Named, Sink, Subject, Visitor};
-use coslobe::fixed::{CosPower, FixedLaw};
+use coslobe::integers::{CosPower, FixedLaw};
 use coslobe::{CosSin, Fixed};
 use fixed::traits::Fixed as Format;
 use fixed::types::{I0F32, I1F31, U0F32};

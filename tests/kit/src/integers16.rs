@@ -3,7 +3,7 @@
 use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use crate::integers::input;
 use crate::{Laws, Named, Sink, Subject, Visitor};
-use coslobe::fixed::Fixed16Law;
+use coslobe::integers::Fixed16Law;
 use coslobe::{CosSin, Fixed16};
 use fixed::types::{I0F16, I1F15, U0F16};
 use rand_pcg::Pcg32;

@@ -46,6 +46,7 @@ pub use catalogue::{
 };
 pub use directions::directions;
 pub use hash::Hash;
+pub use input::mix;
 pub use integers::{Integers, integers};
 pub use integers16::{Integers16, integers16};
 pub use laws::{Laws, Visitor};

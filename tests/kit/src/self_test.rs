@@ -2,7 +2,7 @@
 //! boards and host compare.
 
 use core::convert::Infallible;
-use coslobe::fixed::CosPower;
+use coslobe::integers::CosPower;
 use coslobe::rand_core::{Rng, TryRng};
 use coslobe::self_test::{
     self, Alarm, Fault, InFixed, InSpace, Invalid, Place, Report, Subject, Test,

@@ -3,8 +3,9 @@
 use crate::{Id, Number};
 use ::fixed::types::{I1F15, I1F31, U0F32};
 use core::fmt::Debug;
-use coslobe::fixed::{
-    CosPower, Fixed16Law, Fixed16Planar, Fixed16Spatial, FixedLaw, FixedPlanar, FixedSpatial,
+use coslobe::integers::{
+    CosPower, Fixed16Law, Fixed16Planar, Fixed16Spatial, Fixed16Tangent, FixedLaw, FixedPlanar,
+    FixedSpatial, FixedTangent,
 };
 use coslobe::{PlanarPoint, Spatial, SpatialPoint};
 
@@ -57,6 +58,8 @@ pub trait LawVisitor<T: Number> {
 pub trait IntegerLaw:
     FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
     + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
+    + FixedTangent
+    + Fixed16Tangent
     + Named
     + Default
     + Copy
@@ -67,6 +70,8 @@ pub trait IntegerLaw:
 impl<L> IntegerLaw for L where
     L: FixedLaw<Density = U0F32, Direction: AsRef<[I1F31]> + Default + Debug>
         + Fixed16Law<Direction: AsRef<[I1F15]> + Default + Debug>
+        + FixedTangent
+        + Fixed16Tangent
         + Named
         + Default
         + Copy

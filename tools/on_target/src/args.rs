@@ -76,4 +76,8 @@ pub(crate) struct Cost {
     /// Writes nothing: some cells twice, expected to be equal and as the folder's table has them.
     #[arg(long)]
     pub(crate) check: bool,
+
+    /// Writes firmware_builds.md alone: what overflow checks and levels for size change.
+    #[arg(long, conflicts_with = "check")]
+    pub(crate) builds: bool,
 }

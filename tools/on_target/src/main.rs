@@ -21,8 +21,6 @@ mod args;
 mod boards;
 mod build;
 mod c;
-mod c_integers;
-mod c_values;
 mod cost;
 mod difference;
 mod failure;

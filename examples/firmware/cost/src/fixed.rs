@@ -3,10 +3,13 @@
 use crate::Meter;
 use crate::inputs::{COUNT, FROM_END, TAILS};
 use crate::laws::EXPONENT;
-use coslobe::fixed::{CosPower, Fixed16Spatial, FixedLaw, FixedSpatial};
+use coslobe::integers::{
+    CosPower, Fixed16Planar, Fixed16Spatial, FixedLaw, FixedPlanar, FixedRadius, FixedSpatial,
+    FixedTangent,
+};
 use coslobe::{CosSin, Fixed};
 use fixed::traits::Fixed as Format;
-use fixed::types::{I0F32, I1F31, U0F32, U16F16};
+use fixed::types::{I0F32, I1F31, I32F0, U0F32, U16F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
@@ -41,7 +44,6 @@ pub fn every_fixed_law(meter: &mut Meter) {
     every_integer_law(&mut Counted(meter));
     let power = CosPower::new(U16F16::from_num(EXPONENT));
     law(meter, "CosPower(20)", &Fixed(power), false);
-    every_integer_law(&mut Around(meter));
     around(meter, "CosPower(20)", power);
 }
 
@@ -57,21 +59,36 @@ fn around<L: FixedSpatial>(meter: &mut Meter, name: &'static str, law: L) {
     );
 }
 
-struct Around<'a, 'm>(&'a mut Meter<'m>);
-
-impl IntegerVisitor for Around<'_, '_> {
-    fn law<L: IntegerLaw>(&mut self, _: L) {}
-    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
-        around(self.0, L::ID.name(), law);
-    }
-}
-
 struct Counted<'a, 'm>(&'a mut Meter<'m>);
 
 impl IntegerVisitor for Counted<'_, '_> {
     fn law<L: IntegerLaw>(&mut self, l: L) {
         law(self.0, L::ID.name(), &Fixed(l), L::ID.planar());
     }
+    fn planar<L: IntegerLaw + FixedPlanar + Fixed16Planar>(&mut self, l: L) {
+        self.law(l);
+        point(self.0, &Fixed(l));
+    }
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, l: L) {
+        self.law(l);
+        around(self.0, L::ID.name(), l);
+        point(self.0, &Fixed(l));
+    }
+}
+
+/// A point, of a radius that is an input as the law is.
+fn point<L, const N: usize>(meter: &mut Meter, law: &Fixed<L>)
+where
+    L: FixedLaw<Direction = [I1F31; N]> + FixedTangent,
+    [I32F0; N]: Default,
+{
+    let radius = FixedRadius::new(I32F0::from_bits(1 << 28)).expect("a radius");
+    meter.draw_as::<XorShiftRng, _, _>(
+        "sample_point",
+        &(*law, radius),
+        |(law, radius), rng| law.sample_point(*radius, rng),
+        |_, _| <[I32F0; N]>::default(),
+    );
 }
 
 fn law<L, D: Default>(meter: &mut Meter, name: &'static str, l: &Fixed<L>, planar: bool)
@@ -89,6 +106,8 @@ where
     let cos = |_: &Fixed<L>, at: CosSin<I1F31>| U0F32::from_bits(at.cos.to_bits() as u32);
     let density = |_: &Fixed<L>, at: CosSin<I1F31>| L::Density::from_bits(at.cos.to_bits() as u32);
     meter.call("density", l, &at, Fixed::density, density);
+    let weight = |_: &Fixed<L>, at: CosSin<I1F31>| U16F16::from_bits(at.cos.to_bits() as u32);
+    meter.call("lambert_weight", l, &at, Fixed::lambert_weight, weight);
     meter.call("unwarp", l, &at, Fixed::unwarp, cos);
     meter.call("unwarp_sf", l, &at, Fixed::unwarp_sf, cos);
     let both = |_: &Fixed<L>, p: U0F32| {

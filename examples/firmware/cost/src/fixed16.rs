@@ -2,9 +2,12 @@
 
 use crate::Meter;
 use crate::fixed::{pairs, probabilities, turns};
-use coslobe::fixed::{Fixed16Law, Fixed16Spatial, FixedSpatial};
+use coslobe::integers::{
+    Fixed16Law, Fixed16Planar, Fixed16Spatial, Fixed16Tangent, FixedPlanar, FixedRadius,
+    FixedSpatial,
+};
 use coslobe::{CosSin, Fixed16};
-use fixed::types::{I0F16, I1F15, U0F16};
+use fixed::types::{I0F16, I1F15, I16F0, U0F16, U16F16};
 use kit::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use rand_pcg::Pcg32;
 use rand_xorshift::XorShiftRng;
@@ -12,7 +15,6 @@ use rand_xorshift::XorShiftRng;
 /// Every operation of every law.
 pub fn every_fixed16_law(meter: &mut Meter) {
     every_integer_law(&mut Counted(meter));
-    every_integer_law(&mut Around(meter));
 }
 
 /// A lobe around a normal, which is an input as the law is.
@@ -27,21 +29,36 @@ fn around<L: Fixed16Spatial>(meter: &mut Meter, name: &'static str, law: L) {
     );
 }
 
-struct Around<'a, 'm>(&'a mut Meter<'m>);
-
-impl IntegerVisitor for Around<'_, '_> {
-    fn law<L: IntegerLaw>(&mut self, _: L) {}
-    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
-        around(self.0, L::ID.name(), law);
-    }
-}
-
 struct Counted<'a, 'm>(&'a mut Meter<'m>);
 
 impl IntegerVisitor for Counted<'_, '_> {
     fn law<L: IntegerLaw>(&mut self, l: L) {
         law(self.0, L::ID.name(), &Fixed16(l), L::ID.planar());
     }
+    fn planar<L: IntegerLaw + FixedPlanar + Fixed16Planar>(&mut self, l: L) {
+        self.law(l);
+        point(self.0, &Fixed16(l));
+    }
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, l: L) {
+        self.law(l);
+        around(self.0, L::ID.name(), l);
+        point(self.0, &Fixed16(l));
+    }
+}
+
+/// A point, of a radius that is an input as the law is.
+fn point<L, const N: usize>(meter: &mut Meter, law: &Fixed16<L>)
+where
+    L: Fixed16Law<Direction = [I1F15; N]> + Fixed16Tangent,
+    [I16F0; N]: Default,
+{
+    let radius = FixedRadius::new(I16F0::from_bits(8_000)).expect("a radius");
+    meter.draw_as::<XorShiftRng, _, _>(
+        "sample_point",
+        &(*law, radius),
+        |(law, radius), rng| law.sample_point(*radius, rng),
+        |_, _| <[I16F0; N]>::default(),
+    );
 }
 
 fn law<L, D: Default>(meter: &mut Meter, name: &'static str, l: &Fixed16<L>, planar: bool)
@@ -57,6 +74,8 @@ where
     meter.call("sf", l, &theta, Fixed16::sf, word);
     let cos = |_: &Fixed16<L>, at: CosSin<I1F15>| U0F16::from_bits(at.cos.to_bits() as u16);
     meter.call("density", l, &at, Fixed16::density, cos);
+    let weight = |_: &Fixed16<L>, at: CosSin<I1F15>| U16F16::from_bits(at.cos.to_bits() as u32);
+    meter.call("lambert_weight", l, &at, Fixed16::lambert_weight, weight);
     meter.call("unwarp", l, &at, Fixed16::unwarp, cos);
     meter.call("unwarp_sf", l, &at, Fixed16::unwarp_sf, cos);
     let both = |_: &Fixed16<L>, p: U0F16| {

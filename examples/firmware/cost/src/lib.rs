@@ -11,6 +11,7 @@
 //! host takes off those of a call of a function that only returns (`tools/on_target/src/cost`).
 #![no_std]
 
+mod directions;
 mod fixed;
 mod fixed16;
 mod generator;
@@ -19,6 +20,7 @@ mod laws;
 mod meter;
 pub mod peers;
 
+pub use directions::every_direction;
 pub use fixed::every_fixed_law;
 pub use fixed16::every_fixed16_law;
 pub use laws::every_law;

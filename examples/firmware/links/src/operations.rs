@@ -3,8 +3,8 @@
 use ::fixed::traits::Fixed as Format;
 use ::fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};
 use core::convert::Infallible;
-use coslobe::fixed::Fixed16Law;
-use coslobe::fixed::FixedLaw;
+use coslobe::integers::Fixed16Law;
+use coslobe::integers::FixedLaw;
 use coslobe::rand_core::TryRng;
 use coslobe::*;
 
@@ -100,8 +100,8 @@ pub fn fixed_power_sampler(x: u32, rng: &mut Words) -> u32 {
     fixed_sampler(fixed_power(x), rng)
 }
 
-fn fixed_power(x: u32) -> coslobe::fixed::CosPower {
-    coslobe::fixed::CosPower::new(U16F16::from_bits(x))
+fn fixed_power(x: u32) -> coslobe::integers::CosPower {
+    coslobe::integers::CosPower::new(U16F16::from_bits(x))
 }
 
 /// Every operation in fixed point, and checks of it.

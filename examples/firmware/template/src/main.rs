@@ -6,7 +6,7 @@
 mod device;
 
 use core::panic::PanicInfo;
-use coslobe::fixed::FixedFrame;
+use coslobe::integers::FixedFrame;
 use coslobe::self_test::{self, Alarm};
 use coslobe::{Fixed, Lambert};
 use cortex_m as _; // its critical sections

@@ -3,8 +3,9 @@
 use super::truth::Truth;
 pub use super::truth::power_pair;
 use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
+use coslobe::integers::FixedRadius;
 use coslobe::{CosSin, Fixed};
-use fixed::types::{I0F32, I1F31, U0F32};
+use fixed::types::{I0F32, I1F31, I32F0, U0F32, U16F16};
 use std::ops::Deref;
 
 pub const Q31: f64 = 2147483648.0;
@@ -19,6 +20,9 @@ pub struct Subject {
     pub unwarp: fn(CosSin<I1F31>) -> U0F32,
     pub unwarp_sf: fn(CosSin<I1F31>) -> U0F32,
     pub density: fn(CosSin<I1F31>) -> U0F32,
+    pub lambert_weight: fn(CosSin<I1F31>) -> U16F16,
+    /// Of a radius in units.
+    pub distance: fn(i32, CosSin<I1F31>, u32) -> i32,
     pub pdf: fn(i32) -> U0F32,
     pub cdf: fn(i32) -> U0F32,
     pub sf: fn(i32) -> U0F32,
@@ -51,6 +55,12 @@ impl IntegerVisitor for Subjects {
             unwarp: |at| Fixed(L::default()).unwarp(at),
             unwarp_sf: |at| Fixed(L::default()).unwarp_sf(at),
             density: |at| Fixed(L::default()).density(at),
+            lambert_weight: |at| Fixed(L::default()).lambert_weight(at),
+            distance: |rho, at, v| {
+                let rho = FixedRadius::new(I32F0::from_bits(rho)).expect("a radius");
+                let v = U0F32::from_bits(v);
+                Fixed(L::default()).distance(rho, at, v).to_bits()
+            },
             pdf: |t| Fixed(L::default()).pdf(I0F32::from_bits(t)),
             cdf: |t| Fixed(L::default()).cdf(I0F32::from_bits(t)),
             sf: |t| Fixed(L::default()).sf(I0F32::from_bits(t)),

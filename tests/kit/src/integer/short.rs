@@ -2,8 +2,9 @@
 
 use crate::catalogue::{IntegerLaw, IntegerVisitor, every_integer_law};
 use crate::integer::truth::Truth;
+use coslobe::integers::{Fixed16Law, FixedRadius};
 use coslobe::{CosSin, Fixed16};
-use fixed::types::{I0F16, I1F15, U0F16};
+use fixed::types::{I0F16, I1F15, I16F0, U0F16, U16F16};
 use std::ops::Deref;
 
 /// A component of 1.
@@ -20,6 +21,9 @@ pub struct Subject {
     pub unwarp: fn(Pair) -> u16,
     pub unwarp_sf: fn(Pair) -> u16,
     pub density: fn(Pair) -> u16,
+    pub lambert_weight: fn(Pair) -> U16F16,
+    /// Of a radius in units.
+    pub distance: fn(i16, Pair, u16) -> i16,
     pub pdf: fn(i16) -> u16,
     pub cdf: fn(i16) -> u16,
     pub sf: fn(i16) -> u16,
@@ -34,7 +38,7 @@ impl Deref for Subject {
     }
 }
 
-fn law<L: Default>() -> Fixed16<L> {
+fn law<L: Fixed16Law + Default>() -> Fixed16<L> {
     Fixed16(L::default())
 }
 
@@ -56,6 +60,11 @@ impl IntegerVisitor for Subjects {
             unwarp: |at| law::<L>().unwarp(at).to_bits(),
             unwarp_sf: |at| law::<L>().unwarp_sf(at).to_bits(),
             density: |at| law::<L>().density(at).to_bits(),
+            lambert_weight: |at| law::<L>().lambert_weight(at),
+            distance: |rho, at, v| {
+                let rho = FixedRadius::new(I16F0::from_bits(rho)).expect("a radius");
+                law::<L>().distance(rho, at, U0F16::from_bits(v)).to_bits()
+            },
             pdf: |t| law::<L>().pdf(I0F16::from_bits(t)).to_bits(),
             cdf: |t| law::<L>().cdf(I0F16::from_bits(t)).to_bits(),
             sf: |t| law::<L>().sf(I0F16::from_bits(t)).to_bits(),

@@ -110,6 +110,22 @@ impl Truth {
         scale * cos.powi(self.k)
     }
 
+    /// cos θ / π, in the plane cos θ / 2, over the density.
+    pub fn weight_at(&self, cos: f64) -> f64 {
+        let white = if self.planar { 0.5 } else { 1.0 / PI };
+        white / self.density_at(1.0) * cos.powi(1 - self.k)
+    }
+
+    /// 2ρ cos θ times what of its ray a uniform v chooses.
+    pub fn distance(&self, rho: f64, cos: f64, v: f64) -> f64 {
+        let share = match self.name {
+            "Disk" => v.sqrt(),
+            "Ball" => v.cbrt(),
+            _ => 1.0,
+        };
+        2.0 * rho * cos * share
+    }
+
     pub fn pdf_at(&self, turn: f64) -> f64 {
         let theta = turn * TAU;
         let inside = turn <= 0.25 && turn >= if self.planar { -0.25 } else { 0.0 };

@@ -19,7 +19,11 @@ pub(crate) struct Subject {
     pub(crate) format: &'static str,
 }
 
-const fn ours(binary: &'static str, name: &'static str, format: &'static str) -> Subject {
+pub(super) const fn ours(
+    binary: &'static str,
+    name: &'static str,
+    format: &'static str,
+) -> Subject {
     Subject {
         binary,
         name,
@@ -59,6 +63,20 @@ pub(crate) const SUBJECTS: [Subject; 11] = [
     peer("generator", "rand_pcg", "rand_pcg", "u32"),
 ];
 
+/// How an image is built, where that is not as the profile says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Settings {
+    pub(crate) title: &'static str,
+    /// What cargo reads.
+    pub(crate) variables: &'static [(&'static str, &'static str)],
+}
+
+/// As all tables but that of builds have it.
+pub(crate) const PROFILE: Settings = Settings {
+    title: "opt-level 3",
+    variables: &[],
+};
+
 /// What the compiler made of a subject for a board.
 pub(crate) struct Image {
     /// What runs.
@@ -68,7 +86,7 @@ pub(crate) struct Image {
 }
 
 impl Image {
-    pub(crate) fn build(board: &Board, subject: &Subject) -> Result<Image> {
+    pub(crate) fn build(board: &Board, subject: &Subject, settings: Settings) -> Result<Image> {
         let root = root().join("target/on_target/cost");
         std::fs::create_dir_all(&root).while_(format!("creating {}", root.display()))?;
         let object = root.join(format!("{}-{}.o", board.name, subject.binary));
@@ -85,6 +103,7 @@ impl Image {
             // Of the cargo that runs this program; they would be read as the user's.
             .env_remove("CARGO_MANIFEST_DIR")
             .env_remove("RUSTFLAGS")
+            .envs(settings.variables.iter().copied())
             .output()
             .while_("starting cargo")?;
         if !built.status.success() {

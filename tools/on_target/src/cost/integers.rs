@@ -1,6 +1,6 @@
 //! Absolute errors of directions in integers: their unit does not shrink with the component.
 
-use coslobe::fixed::CosPower;
+use coslobe::integers::CosPower;
 use coslobe::{CosSin, Fixed};
 use fixed::types::{I1F31, U0F32, U16F16};
 use kit::formulas::{EXPONENT, lambert_by_idsp};

@@ -2,7 +2,7 @@
 
 use super::count::{Counted, parse};
 use super::flash::{Linked, Objects, names_at};
-use super::images::{Image, Subject};
+use super::images::{Image, PROFILE, Settings, Subject};
 use super::row::Row;
 use super::study::Study;
 use crate::boards::Board;
@@ -33,7 +33,19 @@ pub(crate) fn subject(
     study: &Study,
     rustc: &str,
 ) -> Result<Measured> {
-    let image = Image::build(board, subject)?;
+    built(board, subject, PROFILE, only, study, rustc)
+}
+
+/// The same of another build.
+pub(crate) fn built(
+    board: &Board,
+    subject: &Subject,
+    settings: Settings,
+    only: &[&str],
+    study: &Study,
+    rustc: &str,
+) -> Result<Measured> {
+    let image = Image::build(board, subject, settings)?;
     let what = format!("{}: {}", board.name, subject.name);
     let output = qemu::run(board, &image.elf, only, EMULATION)?;
     let counted = parse(&String::from_utf8_lossy(&output)).map_err(|e| of(&what, e))?;

@@ -1,6 +1,7 @@
 //! What every operation costs on every board: instructions, flash, stack, static RAM and random words, beside the
 //! errors of the accuracy study and the same thing written by others.
 
+mod builds;
 mod check;
 mod count;
 mod flash;
@@ -29,12 +30,23 @@ use study::Study;
 /// The files in the folder of the tables.
 const CSV: &str = "firmware_cost.csv";
 const PAGE: &str = "firmware_cost.md";
+/// What `--builds` writes.
+const BUILDS: &str = "firmware_builds.md";
 const PLOT: &str = "firmware_cost.svg";
 
 /// Measures and writes, or checks what was written.
 pub(crate) fn run(options: &Cost, report: &mut Report) -> Result<()> {
     if options.check {
         return check::run(&options.out, report);
+    }
+    if options.builds {
+        let mut folder = Folder::check(&options.out, [BUILDS]).map_err(Failure)?;
+        let bar = bar(builds::COUNT);
+        folder.add(BUILDS, builds::page(&compiler()?, &bar)?);
+        bar.finish_and_clear();
+        folder.publish().map_err(Failure)?;
+        report.pass("costs of builds written");
+        return Ok(());
     }
     let mut folder = Folder::check(&options.out, [CSV, PAGE, PLOT]).map_err(Failure)?;
     let study = Study::read(&options.out.join("accuracy_cost.csv"))?;

@@ -66,7 +66,8 @@ fn head(out: &mut String, rows: &[Row], rustc: &str) -> Result {
          Written by `cargo run --release -p on_target -- cost`; do not edit. The same rows for a machine, joined to the\n\
          errors of the [accuracy study](accuracy_cost.md), are in `docs/measured/firmware_cost.csv`; error against instructions, with\n\
          the front that nothing beats, is in `docs/measured/firmware_cost.svg`.\n\n\
-         Compiled by {rustc} with opt-level 3, fat LTO and one codegen unit. Instructions, not cycles.\n\n\
+         Compiled by {rustc} with opt-level 3, fat LTO and one codegen unit. Instructions, not cycles.\n\
+         [What overflow checks and levels for size change](firmware_builds.md) is measured apart.\n\n\
          * *Instructions* of one call through a pointer, less those of a call that only returns its argument or constants:\n\
          \x20 exact under QEMU's `-icount shift=0`, by SysTick over 256 calls of one input on Cortex-M (whose quotient has to\n\
          \x20 be a whole number) and by `minstret` on RISC-V. Least, mean and most are over 16 fixed inputs, from both ends of\n\

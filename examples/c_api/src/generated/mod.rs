@@ -1,6 +1,0 @@
-//! One number type a file.
-
-mod f32;
-mod fast;
-mod q15;
-mod q31;
