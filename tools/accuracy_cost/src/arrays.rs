@@ -5,7 +5,7 @@ use crate::contender::{Contender, EXPONENT, plain};
 use coslobe::batch::width::{Width, limit, widest};
 use coslobe::rand_core::Rng;
 use coslobe::uniform::{TailBits, TurnBits};
-use coslobe::{Batch, CosSin, Fast, Law};
+use coslobe::{Batch, CosSin, Fast, Law, LengthError};
 use kit::catalogue::every_law;
 use kit::study::cell::{Cell, generator};
 use kit::study::inputs::Uniforms;
@@ -84,7 +84,11 @@ impl Words for Fast<f32> {
     }
 }
 
-/// Every function of slices that gives directions, of every law in one type.
+type Done = Result<(), LengthError>;
+type Unary<L, T> = fn(&L, &[T], &mut [T]) -> Done;
+type OfPairs<L, T> = fn(&L, CosSin<&[T]>, &mut [T]) -> Done;
+
+/// Every function of slices, of every law in one type.
 struct Slices<'a, T: Words> {
     list: &'a mut Vec<Contender>,
     u: [Rc<[T]>; 2],
@@ -125,8 +129,34 @@ impl<T: Words> Slices<'_, T> {
         }
     }
 
-    fn warp<L: Law<T> + Copy + 'static>(&mut self, id: Id, law: L) {
-        let [u, _] = self.u.clone();
+    /// What a law of either kind has.
+    fn functions<L: Law<T> + Copy + 'static>(&mut self, id: Id, law: L) {
+        let unary: [(_, Unary<L, T>); 6] = [
+            ("pdf_slice", L::pdf_slice),
+            ("ln_pdf_slice", L::ln_pdf_slice),
+            ("cdf_slice", L::cdf_slice),
+            ("sf_slice", L::sf_slice),
+            ("quantile_slice", L::quantile_slice),
+            ("isf_slice", L::isf_slice),
+        ];
+        let [u, v] = self.u.clone();
+        for (name, f) in unary {
+            let u = u.clone();
+            self.push(id, name, move |range, [out]| {
+                f(&law, black_box(&u[range]), out).is_ok()
+            });
+        }
+        let of_pairs: [(_, OfPairs<L, T>); 2] = [
+            ("density_slice", L::density_slice),
+            ("unwarp_slice", L::unwarp_slice),
+        ];
+        for (name, f) in of_pairs {
+            let (cos, sin) = (u.clone(), v.clone());
+            self.push(id, name, move |range, [out]| {
+                let (cos, sin) = (black_box(&cos[range.clone()]), &sin[range]);
+                f(&law, CosSin { cos, sin }, out).is_ok()
+            });
+        }
         self.push(id, "warp_slice", move |range, [cos, sin]| {
             let out = CosSin { cos, sin };
             law.warp_slice(black_box(&u[range]), out).is_ok()
@@ -136,7 +166,7 @@ impl<T: Words> Slices<'_, T> {
 
 impl<T: Words> LawVisitor<T> for Slices<'_, T> {
     fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
-        self.warp(id, law);
+        self.functions(id, law);
         let mut rng = generator();
         self.push(id, "sample_slice", move |_, out| {
             law.sample_slice(&mut rng, out).is_ok()
@@ -149,7 +179,7 @@ impl<T: Words> LawVisitor<T> for Slices<'_, T> {
     }
 
     fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
-        self.warp(id, law);
+        self.functions(id, law);
         let [u, v] = self.u.clone();
         self.push(id, "warp_direction_slice", move |range, out| {
             let u = [black_box(&u[range.clone()]), &v[range]];
@@ -178,7 +208,7 @@ fn slices<T: Words>(list: &mut Vec<Contender>) {
     every_law::<T>(&mut slices, &[EXPONENT]);
 }
 
-/// Every function of slices that gives directions, at every width of this processor.
+/// Every function of slices, at every width of this processor.
 pub(crate) fn all(list: &mut Vec<Contender>) {
     slices::<f32>(list);
     slices::<f64>(list);
