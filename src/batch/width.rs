@@ -38,6 +38,7 @@ pub fn limit(width: Width) {
 }
 
 /// The widest that a batch may use.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn limited() -> Width {
     match LIMIT.load(Ordering::Relaxed) {
         0 => Width::Compiled,

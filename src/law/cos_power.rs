@@ -144,7 +144,7 @@ impl<W: Kernel> Lobe<W> {
 }
 
 impl<W: Kernel> Formulas<W> for Lobe<W> {
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, theta: W) -> W {
         let (at, sin) = W::cosine_at_angle(theta);
         let p = W::power_times(self.k, at, self.scale, sin);
@@ -153,42 +153,42 @@ impl<W: Kernel> Formulas<W> for Lobe<W> {
 
     /// Between −1 and 1 the error is bounded in ulps of 1, not of the result: its terms cancel
     /// where the density passes 1.
-    #[inline]
+    #[inline(always)]
     fn ln_pdf(&self, theta: W) -> W {
         let (at, _) = W::cosine_at_angle(theta);
         let p = W::ln_power_times_sine(self.k, at, self.ln_scale);
         within(theta, spatial(theta), p, -W::INFINITY)
     }
 
-    #[inline]
+    #[inline(always)]
     fn tails(&self, theta: W) -> Tails<W> {
         let (at, _) = W::cosine_at_angle(theta);
         spatial_tails(theta, self.tails_at(at))
     }
 
-    #[inline]
+    #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
         spatial_direction(at, self.per_steradian(W::cosine(at)))
     }
 
     /// cos θ = (1 − u)^(1/(k+1)).
-    #[inline]
+    #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
         W::power_warp(p, self.root)
     }
 
-    #[inline]
+    #[inline(always)]
     fn unwarp_tails(&self, at: CosSin<W>) -> Tails<W> {
         spatial_direction_tails(at, self.tails_at(W::cosine(at)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         let weight = W::power_times(self.weight_power, W::cosine(at), self.weight_scale, W::ONE);
         spatial_direction(at, weight)
     }
 
-    #[inline]
+    #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         let (at, _) = W::cosine_at_angle(theta);
         within(theta, spatial(theta), self.per_steradian(at), W::ZERO)

@@ -5,7 +5,7 @@ obtain() {
   case $1 in
     format) component rustfmt ;;
     clippy) component clippy ;;
-    msrv) toolchain "$(msrv)" ;;
+    msrv) local rust; for rust in $(msrvs); do toolchain "$rust"; done ;;
     nightly) toolchain nightly ;;
     miri) toolchain nightly && rustup +nightly component add miri rust-src >/dev/null 2>&1 || echo "nightly has no Miri" ;;
     registry) cargo info libm >/dev/null 2>&1 || echo "no registry reached" ;;
@@ -16,6 +16,9 @@ obtain() {
     s390x)
       debian qemu-s390x qemu-user && debian s390x-linux-gnu-gcc gcc-s390x-linux-gnu libc6-dev-s390x-cross &&
         target s390x-unknown-linux-gnu ;;
+    aarch64)
+      debian qemu-aarch64 qemu-user && debian aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross &&
+        target aarch64-unknown-linux-gnu ;;
     defmt-print) installed "$1" "$1 --version" ;;
     cargo-fuzz) installed cargo-fuzz "cargo fuzz --version" ;;
     *) target "$1" ;;
@@ -53,7 +56,13 @@ toolchain() {
 installed() { # installed PACKAGE COMMAND
   $2 >/dev/null 2>&1 || cargo install "$1" --locked --quiet >/dev/null 2>&1 || echo "cargo install $1 failed"
 }
-msrv() { sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml; }
+# msrv [FEATURE]: the oldest Rust of the library, or of it with the feature: what its line in Cargo.toml says.
+msrv() {
+  local own
+  own=$([ $# = 0 ] || sed -n "s/^$1 = .*# Rust \([0-9.]*\).*/\1/p" Cargo.toml)
+  [ -n "$own" ] && echo "$own" || sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml
+}
+msrvs() { sed -n -e 's/^rust-version = "\(.*\)"/\1/p' -e 's/^[a-z_]* = .*# Rust \([0-9.]*\).*/\1/p' Cargo.toml | sort -Vu; }
 
 # Each in turn, while steps run that need none of them; what has to be compiled, beside the downloads.
 install_in_background() { # install_in_background NEED…

@@ -27,11 +27,12 @@ step boards-hashes-debug      full  boards         qemu,thumbv7em-none-eabihf on
 step boards-hashes-planted    full  boards         qemu,thumbv7em-none-eabihf planted_hash_is_caught
 step lints-firmware           full  lints-firmware $boards,clippy    lints_of_firmware
 step big-endian               full  s390x          s390x             big_endian_in_qemu
+step aarch64                  full  aarch64        aarch64           aarch64_in_qemu
 step unoptimised              full  unoptimised    -                 unoptimised
 step figures                  quick -              -                 python3 tools/figures.py --check
 step docs                     quick docs           -                 docs
 step docs-rs                  full  docs-rs        nightly           docs_as_on_docs_rs
-step msrv                     full  msrv           msrv              cargo "+$(msrv)" build --lib --quiet --target-dir target/msrv
+step msrv                     full  msrv           msrv              oldest_compilers
 step targets                  full  targets        thumbv6m-none-eabi?,thumbv7em-none-eabihf? core_for_targets
 step publish                  full  publish        registry          cargo publish --dry-run --allow-dirty --quiet
 step readme                   full  release        -                 readme
@@ -85,6 +86,16 @@ features_alone() { # the library by itself too: what the tests depend on switche
     cargo test --quiet --features "$feature" --test integrations --test values
   done
 }
+oldest_compilers() { # each feature by the Rust that Cargo.toml says, and all that say none together
+  local feature rust plain
+  plain=$(features | while read -r feature; do [ "$(msrv "$feature")" != "$(msrv)" ] || echo "$feature"; done | paste -sd ,)
+  cargo "+$(msrv)" build --lib --quiet --target-dir target/msrv
+  cargo "+$(msrv)" check --lib --quiet --target-dir target/msrv --features "$plain"
+  for feature in $(features); do
+    rust=$(msrv "$feature")
+    [ "$rust" = "$(msrv)" ] || cargo "+$rust" check --lib --quiet --target-dir target/msrv --features "$feature"
+  done
+}
 core_for_targets() {
   local targets
   targets=$(there thumbv6m-none-eabi thumbv7em-none-eabihf)
@@ -120,6 +131,13 @@ big_endian_in_qemu() { # all types
   # Unoptimised: from opt-level 1 on Rust 1.95 compiles a density of this type for s390x to 1/128 of its value.
   COSLOBE_LAST=1024 CARGO_PROFILE_RELEASE_OPT_LEVEL=0 hashes s390x-unoptimised "cargo test" --release \
     --target s390x-unknown-linux-gnu -- --exact precise_f32_hashes
+}
+aarch64_in_qemu() { # NEON: all types, and slices beside scalar calls
+  export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc
+  export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu"
+  COSLOBE_LAST=16384 hashes aarch64 "cargo test" --release --target aarch64-unknown-linux-gnu
+  cargo test --quiet --release --features simd --test batches --target aarch64-unknown-linux-gnu \
+    --target-dir target/on_target/aarch64
 }
 big_endian_in_miri() { # what it adds to QEMU: undefined behaviour in what the crate depends on
   COSLOBE_LAST=64 hashes miri "cargo +nightly miri test" --target s390x-unknown-linux-gnu -- --exact \

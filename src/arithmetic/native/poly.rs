@@ -15,11 +15,16 @@ pub(crate) fn horner<T: Native>(x: T, c: &[T]) -> T {
 /// other.
 #[inline(always)]
 pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
+    let Some((rest, &[s0, s1, s2, s3])) = c.split_last_chunk() else {
+        return horner(x, c);
+    };
     let x2 = x * x;
     let x4 = x2 * x2;
-    let sum = |i| {
-        let terms = c.iter().copied().skip(i).step_by(4).rev();
-        terms.reduce(|sum, k| sum * x4 + k).unwrap_or(T::ZERO)
-    };
-    (sum(0) + x2 * sum(2)) + x * (sum(1) + x2 * sum(3))
+    // From the last term on; the sum that the next one belongs to stands first. Adapters such as `step_by`
+    // are not always inlined, and a loop over slices would be none of vectors.
+    let sums = rest.iter().rev();
+    let [s3, s2, s1, s0] = sums.fold([s3, s2, s1, s0], |[next, a, b, c], &k| {
+        [a, b, c, next * x4 + k]
+    });
+    (s0 + x2 * s2) + x * (s1 + x2 * s3)
 }

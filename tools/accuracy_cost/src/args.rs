@@ -93,11 +93,15 @@ pub(crate) enum Task {
         #[arg(long)]
         values: Option<PathBuf>,
     },
-    /// What valgrind runs for loops over arrays.
-    #[command(name = crate::limits::SUBCOMMAND, hide = true)]
-    CountArrays,
-    /// Prints each limit of time, as a ratio to the quickest peer, and what is reached.
-    Limits,
+    /// What valgrind runs for functions of slices.
+    #[command(name = crate::vectors::SUBCOMMAND, hide = true)]
+    CountSlices,
+    /// Measures times alone; prints each limit, as a ratio to a peer in the same run, and whether it is reached.
+    Limits {
+        /// Exits with 1 where a limit is missed or not measured.
+        #[arg(long)]
+        strict: bool,
+    },
     /// Counts instructions an element of loops that shall be vectors, at SSE2 and AVX2: fails where one is none.
     Vectors,
     /// Merges all parts of a run.

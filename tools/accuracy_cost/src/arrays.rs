@@ -1,32 +1,24 @@
-//! Loops over arrays: `warp_direction` and `warp` of pairs, of slices at each width, and the same loops in
-//! the hand of a renderer's author.
+//! Loops over arrays: `out[i] = f(u[i])` of pairs, as a renderer's author writes it, and the functions
+//! of slices at each width of vectors.
 
-use crate::contender::Contender;
-use crate::peers::{concentric, lobe};
+use crate::contender::{Contender, EXPONENT, plain};
 use coslobe::batch::width::{Width, limit, widest};
 use coslobe::rand_core::Rng;
-use coslobe::{CosSin, Disk, Planar, Spatial};
+use coslobe::uniform::{TailBits, TurnBits};
+use coslobe::{CosSin, Law, LengthError};
 use kit::batch::{BatchNumber, BatchVisitor, every_batch_number};
 use kit::catalogue::every_law;
 use kit::study::cell::{Cell, generator};
 use kit::study::inputs::Uniforms;
 use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
-use rand_distr::{Distribution, UnitSphere};
 use std::hint::black_box;
 use std::ops::Range;
+use std::rc::Rc;
 
 /// Elements of a slice.
 const SLICE: usize = 4096;
 /// Elements that time is taken over: more than a branch predictor learns.
 const ALL: usize = 1 << 16;
-/// The exponent of `CosPower`.
-const EXPONENT: f64 = crate::catalog::EXPONENT;
-
-pub(crate) const DIRECTION: &str = "warp_direction";
-pub(crate) const WARP: &str = "warp";
-pub(crate) const SAMPLE: &str = "sample";
-pub(crate) const PAIRS: &str = "array of pairs";
-pub(crate) const SCALAR: &str = "one at a time";
 
 /// A loop over part of the data, as a cell.
 fn cell(mut f: impl FnMut(Range<usize>) + Clone + 'static) -> Cell {
@@ -42,70 +34,8 @@ fn cell(mut f: impl FnMut(Range<usize>) + Clone + 'static) -> Cell {
     }
 }
 
-struct List {
-    widths: Vec<Width>,
-    all: Vec<Contender>,
-}
-
-impl List {
-    fn push(&mut self, law: Id, operation: &'static str, name: String, ours: bool, cell: Cell) {
-        self.all.push(Contender {
-            short: name.clone(),
-            format: crate::contender::plain(&name),
-            name,
-            ours,
-            law,
-            operation,
-            cell,
-            own: Uniforms::Grid,
-            measure: None,
-        });
-    }
-
-    /// A slice function at each width.
-    fn slices<T: Number>(
-        &mut self,
-        law: Id,
-        operation: &'static str,
-        what: &str,
-        f: impl FnMut(Range<usize>) + Clone + 'static,
-    ) {
-        for width in self.widths.clone() {
-            let mut f = f.clone();
-            let at_width = move |range: Range<usize>| {
-                limit(width);
-                f(range);
-                limit(Width::Avx512);
-            };
-            self.push(law, operation, name::<T>(what, width), true, cell(at_width));
-        }
-    }
-
-    fn peer(&mut self, law: Id, name: &str, f: impl Fn(f32, f32) -> [f32; 3] + Copy + 'static) {
-        let ([u, v], mut out) = (uniforms::<f32>(), vec![[0.0; 3]; SLICE]);
-        let pairs: Vec<_> = u.into_iter().zip(v).collect();
-        let each = move |range: Range<usize>| {
-            for (out, &(u, v)) in out.iter_mut().zip(black_box(&pairs[range])) {
-                *out = f(u, v);
-            }
-            black_box(&mut out);
-        };
-        self.push(
-            law,
-            DIRECTION,
-            format!("{name}, {PAIRS}"),
-            false,
-            cell(each),
-        );
-    }
-}
-
-/// As a contender at a width is called.
-pub(crate) fn name<T: Number>(what: &str, width: Width) -> String {
-    format!("{} {what}, {width:?}", T::NAME)
-}
-
-fn uniforms<T: Number>() -> [Vec<T>; 2] {
+/// Multiples of 2⁻²⁴ in [0, 1).
+fn uniforms<T: Number>() -> [Rc<[T]>; 2] {
     let mut rng = generator();
     [(); 2].map(|()| {
         let mut next = || T::of(f64::from(rng.next_u32() >> 8) / f64::from(1 << 24));
@@ -113,138 +43,148 @@ fn uniforms<T: Number>() -> [Vec<T>; 2] {
     })
 }
 
-fn spatial<T: BatchNumber, L: Spatial<T> + Copy + 'static>(list: &mut List, id: Id, law: L) {
+/// A direction of each pair, in a loop that the compiler may make what it can of.
+pub(crate) fn over_pairs<T: Number>(f: impl Fn([T; 2]) -> [T; 3] + Copy + 'static) -> Cell {
     let ([u, v], mut out) = (uniforms::<T>(), vec![[T::ZERO; 3]; SLICE]);
-    let pairs: Vec<_> = u.iter().zip(&v).map(|(&u, &v)| [u, v]).collect();
-    let each = move |range: Range<usize>| {
+    let pairs: Rc<[[T; 2]]> = u.iter().zip(&*v).map(|(&u, &v)| [u, v]).collect();
+    cell(move |range| {
         for (out, &u) in out.iter_mut().zip(black_box(&pairs[range])) {
-            *out = law.warp_direction(u);
+            *out = f(u);
         }
         black_box(&mut out);
-    };
-    let name = format!("{} {PAIRS}", T::NAME);
-    list.push(id, DIRECTION, name, true, cell(each));
-
-    let mut out = [(); 3].map(|()| vec![T::ZERO; SLICE]);
-    list.slices::<T>(id, DIRECTION, "slices", move |range| {
-        let u = [black_box(&u[range.clone()]), &v[range]];
-        let done = law.warp_direction_slice(u, out.each_mut().map(|x| &mut x[..]));
-        black_box((done, &mut out)).0.expect("equal lengths");
-    });
-
-    let mut out = [(); 3].map(|()| vec![T::ZERO; SLICE]);
-    let mut rng = generator();
-    list.slices::<T>(id, SAMPLE, "sample_slice", move |_| {
-        let done = law.sample_slice(&mut rng, out.each_mut().map(|x| &mut x[..]));
-        black_box((done, &mut out)).0.expect("equal lengths");
-    });
-
-    let mut out = [(); 3].map(|()| vec![T::ZERO; SLICE]);
-    let mut rng = generator();
-    let mut next = || rng.next_u64();
-    let bits = |_| (T::tail_bits(&mut next), T::turn_bits(&mut next));
-    let (theta, phi): (Vec<_>, Vec<_>) = (0..ALL).map(bits).unzip();
-    list.slices::<T>(id, SAMPLE, "sample_from_bits_slice", move |range| {
-        let (theta, phi) = (black_box(&theta[range.clone()]), &phi[range]);
-        let out = out.each_mut().map(|x| &mut x[..]);
-        let done = law.sample_from_bits_slice(theta, phi, out);
-        black_box(done).expect("equal lengths");
-    });
+    })
 }
 
-/// `Disk.warp`, whose root is the hardest.
-fn disk<T: BatchNumber>(list: &mut List)
-where
-    Disk: Planar<T>,
-{
-    use coslobe::Law;
-    let [u, _] = uniforms::<T>();
-    let same = u.clone();
-    let each = move |range: Range<usize>| {
-        for &u in &same[range] {
-            black_box(Disk.warp(black_box(u)));
-        }
-    };
-    list.push(
-        Id::Disk,
-        WARP,
-        format!("{} {SCALAR}", T::NAME),
-        true,
-        cell(each),
-    );
-    let (mut cos, mut sin) = (vec![T::ZERO; SLICE], vec![T::ZERO; SLICE]);
-    list.slices::<T>(Id::Disk, WARP, "slices", move |range| {
-        let out = CosSin {
-            cos: &mut cos[..],
-            sin: &mut sin[..],
-        };
-        let done = Disk.warp_slice(black_box(&u[range]), out);
-        black_box((done, &mut cos, &mut sin))
-            .0
-            .expect("equal lengths");
-    });
+type Done = Result<(), LengthError>;
+type Unary<L, T> = fn(&L, &[T], &mut [T]) -> Done;
+type OfPairs<L, T> = fn(&L, CosSin<&[T]>, &mut [T]) -> Done;
+
+/// Every function of slices, of every law in one type.
+struct Slices<'a, T: BatchNumber> {
+    list: &'a mut Vec<Contender>,
+    u: [Rc<[T]>; 2],
+    theta: Rc<[TailBits<T>]>,
+    phi: Rc<[TurnBits<T>]>,
 }
 
-impl<T: BatchNumber> LawVisitor<T> for List {
-    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, _: L) {
-        if id == Id::Disk {
-            disk::<T>(self);
+impl<T: BatchNumber> Slices<'_, T> {
+    /// A function at each width, which is to fill the slices.
+    fn push<const N: usize>(
+        &mut self,
+        law: Id,
+        operation: &'static str,
+        f: impl FnMut(Range<usize>, [&mut [T]; N]) -> bool + Clone + 'static,
+    ) {
+        let widths = [Width::Compiled, Width::Avx2, Width::Avx512];
+        for width in widths.into_iter().filter(|&w| w <= widest()) {
+            let (mut f, mut out) = (f.clone(), [(); N].map(|()| vec![T::ZERO; SLICE]));
+            let at_width = move |range: Range<usize>| {
+                limit(width);
+                let equal_lengths = f(range, out.each_mut().map(|x| &mut x[..]));
+                limit(Width::Avx512);
+                assert!(black_box(equal_lengths));
+                black_box(&mut out);
+            };
+            self.list.push(Contender {
+                name: T::NAME.to_owned(),
+                short: T::NAME.to_owned(),
+                ours: true,
+                format: plain(T::NAME),
+                law,
+                operation,
+                width: Some(width),
+                cell: cell(at_width),
+                own: Uniforms::Grid,
+                measure: None,
+            });
         }
     }
+
+    /// What a law of either kind has.
+    fn functions<L: Law<T> + Copy + 'static>(&mut self, id: Id, law: L) {
+        let unary: [(_, Unary<L, T>); 6] = [
+            ("pdf_slice", L::pdf_slice),
+            ("ln_pdf_slice", L::ln_pdf_slice),
+            ("cdf_slice", L::cdf_slice),
+            ("sf_slice", L::sf_slice),
+            ("quantile_slice", L::quantile_slice),
+            ("isf_slice", L::isf_slice),
+        ];
+        let [u, v] = self.u.clone();
+        for (name, f) in unary {
+            let u = u.clone();
+            self.push(id, name, move |range, [out]| {
+                f(&law, black_box(&u[range]), out).is_ok()
+            });
+        }
+        let of_pairs: [(_, OfPairs<L, T>); 2] = [
+            ("density_slice", L::density_slice),
+            ("unwarp_slice", L::unwarp_slice),
+        ];
+        for (name, f) in of_pairs {
+            let (cos, sin) = (u.clone(), v.clone());
+            self.push(id, name, move |range, [out]| {
+                let (cos, sin) = (black_box(&cos[range.clone()]), &sin[range]);
+                f(&law, CosSin { cos, sin }, out).is_ok()
+            });
+        }
+        self.push(id, "warp_slice", move |range, [cos, sin]| {
+            let out = CosSin { cos, sin };
+            law.warp_slice(black_box(&u[range]), out).is_ok()
+        });
+    }
+}
+
+impl<T: BatchNumber> LawVisitor<T> for Slices<'_, T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        self.functions(id, law);
+        let mut rng = generator();
+        self.push(id, "sample_slice", move |_, out| {
+            law.sample_slice(&mut rng, out).is_ok()
+        });
+        let theta = self.theta.clone();
+        self.push(id, "sample_from_bits_slice", move |range, out| {
+            law.sample_from_bits_slice(black_box(&theta[range]), out)
+                .is_ok()
+        });
+    }
+
     fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
-        spatial::<T, L>(self, id, law);
+        self.functions(id, law);
+        let [u, v] = self.u.clone();
+        self.push(id, "warp_direction_slice", move |range, out| {
+            let u = [black_box(&u[range.clone()]), &v[range]];
+            law.warp_direction_slice(u, out).is_ok()
+        });
+        let mut rng = generator();
+        self.push(id, "sample_slice", move |_, out| {
+            law.sample_slice(&mut rng, out).is_ok()
+        });
+        let (theta, phi) = (self.theta.clone(), self.phi.clone());
+        self.push(id, "sample_from_bits_slice", move |range, out| {
+            let (theta, phi) = (black_box(&theta[range.clone()]), &phi[range]);
+            law.sample_from_bits_slice(theta, phi, out).is_ok()
+        });
     }
 }
 
-impl BatchVisitor for List {
+impl BatchVisitor for Vec<Contender> {
     fn number<T: BatchNumber>(&mut self) {
-        every_law::<T>(self, &[EXPONENT]);
+        let mut rng = generator();
+        let mut next = || rng.next_u64();
+        let bits = |_| (T::tail_bits(&mut next), T::turn_bits(&mut next));
+        let (theta, phi): (Vec<_>, Vec<_>) = (0..ALL).map(bits).unzip();
+        let mut slices = Slices::<T> {
+            list: self,
+            u: uniforms(),
+            theta: theta.into(),
+            phi: phi.into(),
+        };
+        every_law::<T>(&mut slices, &[EXPONENT]);
     }
 }
 
-fn peers(list: &mut List) {
-    list.peer(Id::Lambert, "polar form, std f32", lobe::polar);
-    list.peer(Id::Lambert, "concentric map, std f32", concentric);
-    list.peer(Id::Ball, "cos³ by √√u, std f32", lobe::two_roots);
-    list.peer(Id::SphereShell, "cos² by cbrt, std f32", lobe::cube_root);
-    let k = EXPONENT as f32;
-    list.peer(
-        Id::CosPower(EXPONENT),
-        "cosⁿ by powf, std f32",
-        move |u, v| lobe::power(u, v, k),
-    );
-    let mut rng = generator();
-    let mut out = vec![[0.0f32; 3]; SLICE];
-    let each = move |_: Range<usize>| {
-        for out in &mut out {
-            let [x, y, z]: [f32; 3] = UnitSphere.sample(&mut rng);
-            let length = (x * x + (y + 1.0) * (y + 1.0) + z * z).sqrt();
-            *out = [x / length, (y + 1.0) / length, z / length];
-        }
-        black_box(&mut out);
-    };
-    let name = "UnitSphere + normal, rand_distr f32".to_owned();
-    list.push(Id::Lambert, SAMPLE, name, false, cell(each));
-}
-
-fn at_widths(widths: Vec<Width>) -> List {
-    let mut list = List {
-        widths,
-        all: Vec::new(),
-    };
-    every_batch_number(&mut list);
-    list
-}
-
-/// All loops, at every width of this processor.
-pub(crate) fn timed() -> Vec<Contender> {
-    let widths = [Width::Compiled, Width::Avx2, Width::Avx512];
-    let mut list = at_widths(widths.into_iter().filter(|&w| w <= widest()).collect());
-    peers(&mut list);
-    list.all
-}
-
-/// Our loops, at the widths that valgrind knows.
-pub(crate) fn counted() -> Vec<Contender> {
-    at_widths(vec![Width::Compiled, Width::Avx2]).all
+/// Every function of slices, at every width of this processor.
+pub(crate) fn all(list: &mut Vec<Contender>) {
+    every_batch_number(list);
 }

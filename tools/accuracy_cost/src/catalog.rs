@@ -1,6 +1,7 @@
 //! Our own operations: number type × law × operation.
 
-use crate::contender::{Contender, Measure, PARTS, plain};
+use crate::arrays::{self, over_pairs};
+use crate::contender::{Contender, DIRECTION, EXPONENT, Measure, PARTS, SAMPLE, plain};
 use crate::peers;
 use coslobe::rand_core::Rng;
 use coslobe::{CosSin, Law, Planar, Spatial, uniform};
@@ -11,9 +12,6 @@ use kit::study::inputs::{Uniforms, angles, pairs, probabilities};
 use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use std::hint::black_box;
 use std::marker::PhantomData;
-
-/// Exponent of the power law that is measured.
-pub(crate) const EXPONENT: f64 = 20.0;
 
 /// Every law in every number type.
 struct Ours<'a>(&'a mut Vec<Contender>);
@@ -34,14 +32,15 @@ impl<T: Number> LawVisitor<T> for Ours<'_> {
 }
 
 /// Everything that is measured, always in the same order.
-fn all() -> Vec<Contender> {
+pub(crate) fn all() -> Vec<Contender> {
     let mut list = Vec::new();
     every_number(&mut Ours(&mut list));
     peers::all(&mut list);
+    arrays::all(&mut list);
     list
 }
 
-/// All cells in the order that they are counted in: the contenders', then the generator's.
+/// All cells in the order that they are counted in: the contenders' that can be, then the generator's.
 pub(crate) struct Counted {
     pub(crate) list: Vec<Contender>,
     pub(crate) generator: [Cell; 2],
@@ -56,8 +55,8 @@ impl Counted {
     }
 
     pub(crate) fn cells(&mut self) -> impl Iterator<Item = &mut Cell> {
-        let list = self.list.iter_mut().map(|c| &mut c.cell);
-        list.chain(&mut self.generator)
+        let list = self.list.iter_mut().filter(|c| c.countable());
+        list.map(|c| &mut c.cell).chain(&mut self.generator)
     }
 
     /// Calls of each cell.
@@ -87,6 +86,7 @@ fn add<T: Number>(
         format: plain(T::NAME),
         law,
         operation,
+        width: None,
         cell,
         own: Uniforms::Down(8 * size_of::<uniform::TailBits<T>>() as i32),
         measure,
@@ -140,7 +140,7 @@ fn planar<T: Number, L: Planar<T> + Copy + 'static>(list: &mut Vec<Contender>, i
     law::<T, L>(list, id, l);
     let measure = directions(id, l, |at: CosSin<T>| [at.sin, at.cos]);
     let cell = Cell::drawing(InPlane(l, PhantomData::<T>));
-    add::<T>(list, id, "sample", cell, measure);
+    add::<T>(list, id, SAMPLE, cell, measure);
 }
 
 fn spatial<T: Number, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>, id: Id, l: L) {
@@ -154,12 +154,20 @@ fn spatial<T: Number, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>,
         [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
     });
     let cell = Cell::drawing(InSpace(l, PhantomData::<T>));
-    add::<T>(list, id, "sample", cell, measure);
+    add::<T>(list, id, SAMPLE, cell, measure);
     let around = Around {
         law: l,
         normal: [0.48, 0.6, 0.64].map(T::of),
     };
     add::<T>(list, id, "sample_around", Cell::drawing(around), None);
+    let measure: Measure = Box::new(move |_, n| {
+        // On the peers' grid, as a caller's uniforms are.
+        errors::of_map::<T::Raw, 3>(id, false, Uniforms::Grid, n, |u| {
+            l.warp_direction([T::of_raw(u), T::of(0.3)]).map(T::raw)
+        })
+    });
+    let cell = over_pairs(move |u| l.warp_direction(u));
+    add::<T>(list, id, DIRECTION, cell, Some(measure));
     add::<T>(
         list,
         id,

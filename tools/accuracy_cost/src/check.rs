@@ -37,7 +37,8 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     progress.finish_and_clear();
     match both {
         Ok((first, second)) => {
-            for (c, (a, b)) in list.iter().zip(first.iter().zip(&second)) {
+            let counted = list.iter().filter(|c| c.countable());
+            for (c, (a, b)) in counted.zip(first.iter().zip(&second)) {
                 if a != b {
                     let law = c.law.to_string();
                     wrong.push(format!(

@@ -9,7 +9,7 @@
 //! cargo run --release -p accuracy_cost -- search --seconds 200   # the worst inputs of f64 and CosPower: an hour
 //! ```
 //!
-//! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
+//! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_time.svg`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
 //! instructions (`apt install valgrind`); `docs/measured/scipy.csv` comes from `tools/scipy_peer.py`.
 
 mod args;
@@ -19,9 +19,11 @@ mod check;
 mod contender;
 mod directions;
 mod disk_quantile;
+mod fronts;
 mod judged;
 mod limits;
 mod machine;
+mod mitsuba;
 mod page;
 mod pareto;
 mod parts;
@@ -29,11 +31,13 @@ mod peers;
 mod row;
 mod scipy;
 mod search;
+mod slices;
 mod stability;
 mod study;
 mod summary;
 mod tables;
 mod time;
+mod vectors;
 
 use args::{Args, Task};
 use clap::Parser;
@@ -48,17 +52,15 @@ fn main() -> ExitCode {
             count::child(all.cells().map(|c| [&mut *c.run, &mut *c.empty]));
             Ok(())
         }
-        Some(Task::CountArrays) => {
-            let mut all = arrays::counted();
-            let cells = all.iter_mut().map(|c| &mut c.cell);
-            count::child(cells.map(|c| [&mut *c.run, &mut *c.empty]));
+        Some(Task::CountSlices) => {
+            vectors::child();
             Ok(())
         }
         Some(Task::LambertDirections { input, values }) => {
             directions::run(input, values.as_deref()).map_err(Into::into)
         }
-        Some(Task::Limits) => limits::run(),
-        Some(Task::Vectors) => limits::vectors(),
+        Some(Task::Limits { strict }) => limits::run(&args.out, *strict),
+        Some(Task::Vectors) => vectors::run(),
         Some(Task::Merge(args)) => parts::merge(args),
         Some(Task::Search(args)) => search::run(args),
         Some(Task::DiskQuantile { input, values }) => {

@@ -1,18 +1,19 @@
 //! The readable table.
 
-use crate::contender::{PARTS, plain};
+use crate::contender::{DIRECTION, PARTS, SAMPLE, plain};
 use crate::judged::Judged;
 use crate::machine::Machine;
-use crate::row::Row;
+use crate::mitsuba::Mitsuba;
+use crate::row::{self, Row};
 use crate::scipy::Scipy;
-use crate::summary;
 use crate::tables::or_dash;
 use crate::time::ROUNDS;
+use crate::{limits, slices, summary};
 use kit::study::cell::DRAWS;
 use std::fmt::Write;
 
 /// Operations in the order of the tables.
-const OPERATIONS: [&str; 15] = [
+const OPERATIONS: [&str; 16] = [
     "pdf",
     "ln_pdf",
     "pdf_solid_angle",
@@ -28,6 +29,7 @@ const OPERATIONS: [&str; 15] = [
     "isf",
     "sample",
     "sample_around",
+    DIRECTION,
 ];
 
 /// What holds for all figures.
@@ -37,12 +39,13 @@ pub(crate) struct About {
     pub(crate) generator: [Option<f64>; 2],
     /// Why there are no instructions.
     pub(crate) skipped: Option<String>,
+    pub(crate) scipy: Option<Scipy>,
+    pub(crate) mitsuba: Option<Mitsuba>,
 }
 
 pub(crate) fn markdown(
     rows: &[Row],
     judged: &Judged,
-    scipy: Option<&Scipy>,
     about: &About,
 ) -> Result<String, std::fmt::Error> {
     let mut out = String::new();
@@ -54,7 +57,9 @@ pub(crate) fn markdown(
     summary::directions(&mut out, rows, &laws, &types)?;
     summary::fast(&mut out, rows, &laws, &OPERATIONS)?;
     quickest(&mut out, rows, &laws, &types)?;
-    if let Some(scipy) = scipy {
+    slices::section(&mut out, rows)?;
+    limits::section(&mut out, rows, about.mitsuba.as_ref())?;
+    if let Some(scipy) = &about.scipy {
         against_scipy(&mut out, scipy)?;
     }
     summary::quantiles(&mut out, &judged.quantiles)?;
@@ -79,7 +84,8 @@ fn head(out: &mut String, about: &About) -> std::fmt::Result {
         "# What accuracy costs\n\n\
          Written by `cargo run --release -p accuracy_cost`; do not edit. The same rows for a machine are in\n\
          `docs/measured/accuracy_cost.csv`, the errors at full length in `docs/measured/accuracy_errors.json`, the pictures in\n\
-         `docs/measured/accuracy_cost.svg` (error against instructions) and `docs/measured/stability.svg` (error against u).\n\n\
+         `docs/measured/accuracy_cost.svg` (error against instructions), `docs/measured/accuracy_time.svg` (error against time) and\n\
+         `docs/measured/stability.svg` (error against u).\n\n\
          Instructions and times on {}; compiled by {}, {}; counted by {}.\n\n\
          ## The number types\n\n\
          Errors: of any operation of the six fixed laws, anywhere in its domain; *relative* is the largest of\n\
@@ -112,6 +118,8 @@ fn how(out: &mut String, about: &About) -> std::fmt::Result {
          \x20 them by decade, a third even, a third crowding at the ends; less an empty loop. `sample` is the mean of {DRAWS}\n\
          \x20 draws and includes `rand_pcg::Pcg32`, of which a `next_u32` is {single} and a `next_u64` {double}. Peers on `std` run\n\
          \x20 the C library's functions as it chooses them for this processor. `CosPower` is counted at exponent 20.\n\
+         * `warp_direction` is an element of a loop `out[i] = f(u[i])` over an array of pairs, ours and the peers', the errors with u\n\
+         \x20 on a grid of 2⁻²⁴ (`f64`: 2⁻⁵³); the loop is part of the count, and the compiler may make vectors of it.\n\
          * *Time*: only as a ratio within this run, to the plain type of the same format. The quickest of {ROUNDS}\n\
          \x20 interleaved rounds over even inputs in random order, the loop and the generator included. It is good to\n\
          \x20 some percent, and no more.\n\
@@ -129,7 +137,7 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
         out,
         "\n## Directions against the quickest peer\n\n\
          Time of `sample` as a multiple of that of the quickest peer of the same format. *Uniform and azimuth*: what a\n\
-         direct sampler in space cannot do without, drawn in the plain type with no law between them."
+         direct sampler in space spends before any law, one at a time, in the plain type; slices go below it."
     )?;
     for format in ["f32", "f64"] {
         let types: Vec<&String> = types.iter().filter(|name| plain(name) == format).collect();
@@ -143,15 +151,14 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
             "---|".repeat(types.len())
         )?;
         for law in laws {
-            let samples = |ours: bool| {
-                rows.iter().filter(move |r| {
-                    r.law == *law && r.operation == "sample" && r.format == format && r.ours == ours
-                })
+            let samples = rows
+                .iter()
+                .filter(|r| r.law == *law && r.operation == SAMPLE && r.format == format && r.ours);
+            let Some(peer) = row::quickest(rows, law, SAMPLE, Some(format)) else {
+                continue;
             };
-            let best = samples(false).min_by(|a, b| a.time_to_plain.total_cmp(&b.time_to_plain));
-            let Some(peer) = best else { continue };
             write!(out, "| {law} | {} |", peer.name)?;
-            for row in samples(true) {
+            for row in samples {
                 write!(out, " {:.2} |", row.time_to_plain / peer.time_to_plain)?;
             }
             let parts = rows

@@ -40,15 +40,10 @@ pub(crate) fn draw(rows: &[Row]) -> Result<String, Box<dyn Error>> {
                 .iter()
                 .filter(|r| r.law == *law && r.operation == *operation);
             let points = points.filter_map(|r| {
-                Some(Point {
-                    instructions: r.instructions?,
-                    error: r.max_relative?,
-                    short: &r.short,
-                    ours: r.ours,
-                    format: &r.format,
-                })
+                let (cost, error) = (r.instructions?, r.max_relative?);
+                Some(Point::of(cost, error, &r.short, r.ours, &r.format))
             });
-            panel::draw(&part, &points.collect::<Vec<_>>())?;
+            panel::draw(&part, &points.collect::<Vec<_>>(), "instructions of a call")?;
         }
         Ok(())
     })

@@ -1,9 +1,10 @@
 //! The rows of the table, and `accuracy_cost.csv` that holds them.
 
-use crate::contender::Contender;
-use kit::accuracy::rows;
+use crate::contender::{Contender, vectors, whole};
+use kit::accuracy::rows::{self, law_name};
 use kit::study::errors::Errors;
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// A line of the CSV; its columns are these fields. Relative errors are `inf` where nothing of the
 /// value is left.
@@ -14,6 +15,8 @@ pub(crate) struct Row {
     pub(crate) operation: String,
     /// A number type of ours or a peer.
     pub(crate) name: String,
+    /// Of slices: the vectors they are computed in.
+    pub(crate) vectors: Option<&'static str>,
     pub(crate) ours: bool,
     pub(crate) format: String,
     pub(crate) max_ulp: Option<f64>,
@@ -45,6 +48,7 @@ impl Row {
             law: c.law.to_string(),
             operation: c.operation.to_owned(),
             name: c.name.clone(),
+            vectors: c.width.map(vectors),
             ours: c.ours,
             format: c.format.to_owned(),
             max_ulp: None,
@@ -70,7 +74,10 @@ impl Row {
     }
 
     pub(crate) fn with_judged(mut self, e: &rows::Row) -> Row {
-        self.operation = e.operation.clone();
+        // Of slices: warp_slice: cos, as warp: cos.
+        self.operation = e
+            .operation
+            .replacen(whole(&self.operation), &self.operation, 1);
         self.max_ulp = Some(e.max_ulp);
         self.inputs = Some(e.inputs);
         self.exhaustive = Some(e.exhaustive);
@@ -90,6 +97,74 @@ impl Row {
         self.max_relative_tail = e.in_tail;
         self
     }
+}
+
+/// Rows of what was measured: `own` errors are for what no other judge knows. A function of slices has
+/// the errors of the scalar call, whose bits it has.
+pub(crate) fn rows(
+    list: &[Contender],
+    counts: &[Option<f64>],
+    times: &[f64],
+    own: &[Option<Errors>],
+    judged: &[rows::Row],
+) -> Vec<Row> {
+    let scalar: HashMap<_, usize> = list
+        .iter()
+        .enumerate()
+        .filter(|(_, c)| c.ours && c.width.is_none())
+        .map(|(i, c)| ((c.name.as_str(), law_name(c.law), c.operation), i))
+        .collect();
+    let mut all = Vec::new();
+    for (i, c) in list.iter().enumerate() {
+        let law = law_name(c.law);
+        let operation = whole(c.operation);
+        let of = |name| scalar.get(&(name, law.clone(), operation)).copied();
+        let time = |name| of(name).map_or(f64::NAN, |i| times[i]);
+        let row = Row::new(c, counts[i], [times[i], time("f32"), time(c.format)]);
+        let results = judged.iter().filter(|e| {
+            let call = e.operation.split(':').next();
+            c.ours && e.tier == c.name && e.law == law && call == Some(operation)
+        });
+        let results: Vec<Row> = results.map(|e| row.clone().with_judged(e)).collect();
+        let judge = c.width.and_then(|_| of(&c.name)).unwrap_or(i);
+        match &own[judge] {
+            _ if !results.is_empty() => all.extend(results),
+            Some(own) => all.push(row.with_own(own)),
+            None => all.push(row),
+        }
+    }
+    all
+}
+
+/// Our row of a call in a number type; a function of slices in these vectors.
+pub(crate) fn ours<'a>(
+    rows: &'a [Row],
+    [law, call, name]: [&str; 3],
+    vectors: Option<&str>,
+) -> Option<&'a Row> {
+    let same = |r: &&Row| r.law == law && r.call() == call && r.name == name;
+    rows.iter()
+        .find(|r| r.ours && r.vectors == vectors && same(r))
+}
+
+/// A peer by its name.
+pub(crate) fn peer<'a>(rows: &'a [Row], law: &str, call: &str, name: &str) -> Option<&'a Row> {
+    rows.iter()
+        .find(|r| !r.ours && r.law == law && r.operation == call && r.name == name)
+}
+
+/// The quickest peer for an operation of a law, among those of a format if one is said.
+pub(crate) fn quickest<'a>(
+    rows: &'a [Row],
+    law: &str,
+    operation: &str,
+    format: Option<&str>,
+) -> Option<&'a Row> {
+    let peers = rows
+        .iter()
+        .filter(|r| !r.ours && r.law == law && r.operation == operation);
+    let peers = peers.filter(|r| format.is_none_or(|f| r.format == f));
+    peers.min_by(|a, b| a.time_to_f32.total_cmp(&b.time_to_f32))
 }
 
 /// The table as CSV.

@@ -2,20 +2,19 @@
 
 use crate::args::Args;
 use crate::catalog::Counted;
-use crate::contender::{Contender, whole};
+use crate::contender::Contender;
 use crate::judged::{self, Judged};
 use crate::machine::Machine;
-use crate::row::{Row, csv};
+use crate::row::{self, csv};
 use crate::time::times;
-use crate::{page, pareto, scipy, stability};
+use crate::{fronts, mitsuba, page, pareto, scipy, stability};
 use indicatif::{ProgressBar, ProgressStyle};
 use kit::accuracy::part::Part;
-use kit::accuracy::rows::{law_name, total_inputs};
+use kit::accuracy::rows::total_inputs;
 use kit::study::count::{Missing, counts};
 use kit::study::errors::Errors;
 use kit::study::inputs::Uniforms;
 use output::{Folder, say, warn};
-use std::collections::HashMap;
 use std::error::Error;
 
 /// Uniforms in each octave that a relative error is the worst of.
@@ -25,8 +24,9 @@ const JUDGED: &str = judged::FILE;
 const TABLE: &str = "accuracy_cost.csv";
 const PAGE: &str = "accuracy_cost.md";
 const PARETO: &str = "accuracy_cost.svg";
+const FRONTS: &str = "accuracy_time.svg";
 const STABILITY: &str = "stability.svg";
-const FILES: [&str; 5] = [JUDGED, TABLE, PAGE, PARETO, STABILITY];
+const FILES: [&str; 6] = [JUDGED, TABLE, PAGE, PARETO, FRONTS, STABILITY];
 
 /// indicatif draws on stderr, and only on a terminal.
 pub(crate) fn bar(name: &'static str, total: u64) -> ProgressBar {
@@ -38,6 +38,7 @@ pub(crate) fn bar(name: &'static str, total: u64) -> ProgressBar {
 pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     let mut folder = Folder::check(&args.out, FILES)?;
     let scipy = scipy::read(&args.out.join("scipy.csv"))?;
+    let mitsuba = mitsuba::read(&args.out)?;
     let judged = our_errors(args)?;
     let mut all = Counted::new();
 
@@ -51,7 +52,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
         Err(Missing::Failed(e)) => return Err(e.into()),
     };
     let mut list = all.list;
-    let (counts, generator) = counts.split_at(list.len());
+    let (counts, generator) = counts.split_at(calls.len() - 2);
     let progress = bar("time", list.len() as u64);
     let times = times(&mut list, || progress.inc(1));
     progress.finish_and_clear();
@@ -70,21 +71,30 @@ pub(crate) fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     let everywhere = measured(|c| (!c.ours && c.operation == "sample").then_some(Uniforms::All));
     progress.finish_and_clear();
 
-    let rows = rows(&list, counts, &times, &own, &judged);
+    let mut counts = counts.iter().copied();
+    let counts: Vec<Option<f64>> = list
+        .iter()
+        .map(|c| c.countable().then(|| counts.next().flatten()).flatten())
+        .collect();
+    let rows = row::rows(&list, &counts, &times, &own, &judged.errors);
     folder.add(JUDGED, judged::to_json(&judged)?);
     folder.add(TABLE, csv(&rows)?);
     let about = page::About {
         machine: Machine::here(),
         generator: [generator[0], generator[1]],
         skipped: skipped.clone(),
+        scipy,
+        mitsuba,
     };
-    let text = page::markdown(&rows, &judged, scipy.as_ref(), &about)?;
+    let text = page::markdown(&rows, &judged, &about)?;
     folder.add(PAGE, text);
     match &skipped {
         Some(reason) => warn(format_args!("SKIPPED: instructions and {PARETO}: {reason}")),
         None => folder.add(PARETO, pareto::draw(&rows)?),
     }
-    let picture = stability::draw(&list, &everywhere, &judged.errors, scipy.as_ref())?;
+    folder.add(FRONTS, fronts::draw(&rows)?);
+    let scipy = about.scipy.as_ref();
+    let picture = stability::draw(&list, &everywhere, &judged.errors, scipy)?;
     folder.add(STABILITY, picture);
     folder.publish()?;
     say(format_args!("Wrote {}", args.out.join(PAGE).display()));
@@ -116,45 +126,4 @@ fn our_errors(args: &Args) -> Result<Judged, String> {
         quantiles
     });
     Ok(Judged { errors, quantiles })
-}
-
-fn rows(
-    list: &[Contender],
-    counts: &[Option<f64>],
-    times: &[f64],
-    own: &[Option<Errors>],
-    judged: &Judged,
-) -> Vec<Row> {
-    let of_ours: HashMap<_, f64> = list
-        .iter()
-        .zip(times)
-        .filter(|(c, _)| c.ours)
-        .map(|(c, &time)| ((c.name.as_str(), law_name(c.law), c.operation), time))
-        .collect();
-    let mut rows = Vec::new();
-    for (((c, &time), &count), own) in list.iter().zip(times).zip(counts).zip(own) {
-        let law = law_name(c.law);
-        let of = |name| {
-            of_ours
-                .get(&(name, law.clone(), whole(c.operation)))
-                .copied()
-        };
-        let times = [
-            time,
-            of("f32").unwrap_or(f64::NAN),
-            of(c.format).unwrap_or(f64::NAN),
-        ];
-        let row = Row::new(c, count, times);
-        let results = judged.errors.iter().filter(|e| {
-            let call = e.operation.split(':').next();
-            c.ours && e.tier == c.name && e.law == law && call == Some(c.operation)
-        });
-        let results: Vec<Row> = results.map(|e| row.clone().with_judged(e)).collect();
-        match own {
-            _ if !results.is_empty() => rows.extend(results),
-            Some(own) => rows.push(row.with_own(own)),
-            None => rows.push(row),
-        }
-    }
-    rows
 }

@@ -1,5 +1,6 @@
 //! The tables of a law.
 
+use crate::contender::{DIRECTION, SAMPLE};
 use crate::row::Row;
 use std::fmt::{Result, Write};
 
@@ -96,7 +97,7 @@ pub(crate) fn peers(out: &mut String, rows: &[&Row], types: &[String]) -> Result
         "\n| operation | by | relative error | in the tail | instr. | time | words |\n\
          |---|---|---|---|---|---|---|"
     )?;
-    for call in ["sample", "quantile", "pdf", "cdf"] {
+    for call in [SAMPLE, DIRECTION, "quantile", "pdf", "cdf"] {
         let theirs = rows.iter().filter(|r| !r.ours && r.call() == call);
         let theirs: Vec<&Row> = theirs.copied().collect();
         if theirs.is_empty() {

@@ -13,7 +13,50 @@ pub struct Mark {
     pub y: f64,
     pub words: String,
     pub color: RGBColor,
-    pub ours: bool,
+    pub shape: Shape,
+}
+
+/// What a point is drawn as.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// Of ours.
+    Disk,
+    Triangle,
+    Square,
+    Diamond,
+    /// Of a peer.
+    Dot,
+    Cross,
+}
+
+impl Shape {
+    fn ours(self) -> bool {
+        !matches!(self, Shape::Dot | Shape::Cross)
+    }
+}
+
+/// Draws a shape around (x, y).
+pub fn shape(area: &Area, shape: Shape, (x, y): (f64, f64), color: RGBColor) -> Drawn {
+    let corners = |r: f64, all: &[(f64, f64)]| {
+        let at = |&(dx, dy): &(f64, f64)| (px(x + r * dx), px(y + r * dy));
+        Polygon::new(all.iter().map(at).collect::<Vec<_>>(), color.filled())
+    };
+    let at = (px(x), px(y));
+    match shape {
+        Shape::Disk => area.draw(&Circle::new(at, px(4.0), color.filled()))?,
+        Shape::Dot => area.draw(&Circle::new(at, px(3.0), color.filled()))?,
+        Shape::Cross => area.draw(&Cross::new(at, px(3.2), line(color, 1.5)))?,
+        Shape::Triangle => area.draw(&corners(5.0, &[(0.0, -1.0), (0.9, 0.65), (-0.9, 0.65)]))?,
+        Shape::Square => {
+            let ends = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+            area.draw(&corners(3.6, &ends))?;
+        }
+        Shape::Diamond => {
+            let ends = [(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)];
+            area.draw(&corners(5.2, &ends))?;
+        }
+    }
+    Ok(())
 }
 
 #[derive(Clone, Copy)]
@@ -49,8 +92,8 @@ pub fn draw(
     }));
     let mut order: Vec<&Mark> = marks.iter().collect();
     // Ours first: they get the nearest places.
-    order.sort_by_key(|m| !m.ours);
-    for mark in &order {
+    order.sort_by_key(|m| !m.shape.ours());
+    for mark in order.iter().filter(|m| !m.words.is_empty()) {
         let place = place(mark, &taken, frame);
         taken.push(place);
         let near_x = mark.x.clamp(place.left, place.right);
@@ -65,8 +108,7 @@ pub fn draw(
         area.draw(&Text::new(mark.words.clone(), at, style))?;
     }
     for mark in order {
-        let (at, size) = ((px(mark.x), px(mark.y)), if mark.ours { 4.0 } else { 3.0 });
-        area.draw(&Circle::new(at, px(size), mark.color.filled()))?;
+        shape(area, mark.shape, (mark.x, mark.y), mark.color)?;
     }
     Ok(())
 }

@@ -1,8 +1,8 @@
-//! A panel of relative error against instructions, with the front that nothing beats.
+//! A panel of relative error against a cost, with the front that nothing beats.
 
-use crate::axis::{Axis, superscript};
+use crate::axis::{Axis, short, superscript};
 use crate::canvas::{AMBER, Area, BLUE, Drawn, FAINT, INK, MUTED, RED, TEAL, line, px, text};
-use crate::label::{self, Mark};
+use crate::label::{self, Mark, Shape};
 use plotters::prelude::*;
 
 pub const PANEL: (f64, f64) = (450.0, 360.0);
@@ -11,20 +11,33 @@ const FRAME: (f64, f64, f64, f64) = (62.0, 36.0, 438.0, 318.0);
 /// log₂ of the errors shown; what is beyond stands at the edge.
 const ERRORS: (f64, f64) = (-60.0, 9.0);
 
-/// Decades of instructions from which on fewer of them are labelled.
+/// Decades of the cost from which on fewer of them are labelled.
 const CROWDED: f64 = 1.8;
 
 /// A contender in a panel.
 pub struct Point<'a> {
-    pub instructions: f64,
+    pub cost: f64,
     /// Its largest relative error.
     pub error: f64,
+    /// Empty where the legend says enough.
     pub short: &'a str,
-    pub ours: bool,
-    pub format: &'a str,
+    pub color: RGBColor,
+    pub shape: Shape,
 }
 
-/// Colour of a contender: by format, ours apart from the peers.
+impl<'a> Point<'a> {
+    /// Ours apart from the peers, coloured by format.
+    pub fn of(cost: f64, error: f64, short: &'a str, ours: bool, format: &str) -> Point<'a> {
+        Point {
+            cost,
+            error,
+            short,
+            color: color(ours, format),
+            shape: if ours { Shape::Disk } else { Shape::Dot },
+        }
+    }
+}
+
 fn color(ours: bool, format: &str) -> RGBColor {
     match (ours, format) {
         (true, "f64") => BLUE,
@@ -52,30 +65,34 @@ pub fn legend(area: &Area, y: f64, notes: &[&str]) -> Drawn {
     Ok(())
 }
 
-pub fn draw(area: &Area, points: &[Point]) -> Drawn {
+/// `cost` says what it is.
+pub fn draw(area: &Area, points: &[Point], cost: &str) -> Drawn {
     let shown: Vec<(&Point, f64, f64)> = points
         .iter()
         .map(|p| {
-            let (n, e) = (p.instructions.max(1.0).log10(), p.error.log2());
+            let (n, e) = (p.cost.log10(), p.error.log2());
             (p, n, e.clamp(ERRORS.0 + 2.0, 0.0))
         })
         .collect();
     let ends = |f: fn(f64, f64) -> f64, start| shown.iter().map(|p| p.1).fold(start, f);
     let (least, most) = (
         ends(f64::min, f64::INFINITY) - 0.1,
-        ends(f64::max, 0.0) + 0.1,
+        ends(f64::max, f64::NEG_INFINITY) + 0.1,
     );
     let steps: &[f64] = if most - least > CROWDED {
         &[1.0, 2.0, 5.0]
     } else {
         &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0]
     };
-    let ticks: Vec<f64> = (0..6)
+    let ticks: Vec<f64> = (-3..6)
         .flat_map(|e| steps.iter().map(move |m| m * 10f64.powi(e)))
         .map(f64::log10)
         .filter(|n| (least..most).contains(n))
         .collect();
-    let x = Axis::new(least..most, ticks, |n| format!("{:.0}", 10f64.powf(n)));
+    let x = Axis::new(least..most, ticks, |n| match 10f64.powf(n) {
+        cost if cost < 9.5 => short(cost),
+        cost => format!("{cost:.0}"),
+    });
     let y = Axis::new(
         ERRORS.0..ERRORS.1,
         vec![-53.0, -40.0, -24.0, -12.0, 0.0],
@@ -103,7 +120,7 @@ pub fn draw(area: &Area, points: &[Point]) -> Drawn {
         .label_style(text(MUTED, 11.0))
         .axis_desc_style(text(INK, 11.5))
         .set_all_tick_mark_size(px(4.0))
-        .x_desc("instructions of a call")
+        .x_desc(cost)
         .y_desc("relative error")
         .draw()?;
     let front = front(&shown);
@@ -121,8 +138,8 @@ pub fn draw(area: &Area, points: &[Point]) -> Drawn {
                 x,
                 y,
                 words: c.short.to_owned(),
-                color: color(c.ours, c.format),
-                ours: c.ours,
+                color: c.color,
+                shape: c.shape,
             }
         })
         .collect();

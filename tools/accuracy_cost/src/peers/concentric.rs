@@ -2,17 +2,15 @@
 //! 1997), lifted to the hemisphere by cos θ = √(1 − x² − z²).
 
 use super::maths::{Libm, Maths, Micro, Std};
-use super::{About, Mapped, push};
+use super::{About, mapped};
 use crate::contender::{Contender, Measure};
 use kit::accuracy::format::Format;
 use kit::accuracy::reference::Id;
 use kit::accuracy::wide::Wide;
-use kit::study::cell::Cell;
 use kit::study::errors::{Errors, of_pair, polar};
 use kit::study::inputs::tails;
 use rand::distr::{Distribution, StandardUniform};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-use std::marker::PhantomData;
 
 pub(super) fn all(list: &mut Vec<Contender>) {
     library::<f32, Std>(list);
@@ -21,7 +19,7 @@ pub(super) fn all(list: &mut Vec<Contender>) {
     library::<f64, Std>(list);
 }
 
-pub(super) fn direction<T: Format, M: Maths<T>>(u: T, v: T) -> [T; 3] {
+fn direction<T: Format, M: Maths<T>>(u: T, v: T) -> [T; 3] {
     let (zero, one) = (T::default(), T::of(1.0));
     let (a, b) = (u + u - one, v + v - one);
     if a == zero && b == zero {
@@ -78,6 +76,5 @@ where
         library: M::NAME,
         law: Id::Lambert,
     };
-    let cell = Cell::drawing(Mapped(direction::<T, M>, PhantomData::<T>));
-    push::<T>(list, about, "sample", cell, measure::<T, M>());
+    mapped::<T, _>(list, about, direction::<T, M>, measure::<T, M>);
 }

@@ -6,8 +6,7 @@
 
 use super::maths::{Libm, Maths, Micro, Std};
 use super::{About, spatial};
-use crate::catalog::EXPONENT;
-use crate::contender::Contender;
+use crate::contender::{Contender, EXPONENT};
 use kit::accuracy::format::Format;
 use kit::accuracy::reference::Id;
 use rand::distr::{Distribution, StandardUniform};
@@ -20,32 +19,6 @@ pub(super) fn all(list: &mut Vec<Contender>) {
     library::<f64, Std>(list);
     roots::<f32>(list, f32::cbrt);
     roots::<f64>(list, f64::cbrt);
-}
-
-/// Lambert's law from (u, v), as a renderer writes it.
-#[inline(always)]
-pub(crate) fn polar(u: f32, v: f32) -> [f32; 3] {
-    around::<f32, Std>(u.sqrt(), (1.0 - u).sqrt(), v)
-}
-
-/// `SphereShell` by the cube root.
-#[inline(always)]
-pub(crate) fn cube_root(u: f32, v: f32) -> [f32; 3] {
-    around::<f32, Std>(u.cbrt(), sine::<f32, Std>(u.cbrt()), v)
-}
-
-/// `Ball` by two square roots.
-#[inline(always)]
-pub(crate) fn two_roots(u: f32, v: f32) -> [f32; 3] {
-    let cos = u.sqrt().sqrt();
-    around::<f32, Std>(cos, sine::<f32, Std>(cos), v)
-}
-
-/// A lobe by the power.
-#[inline(always)]
-pub(crate) fn power(u: f32, v: f32, n: f32) -> [f32; 3] {
-    let cos = u.powf(1.0 / (n + 1.0));
-    around::<f32, Std>(cos, sine::<f32, Std>(cos), v)
 }
 
 /// [sin θ cos φ, cos θ, sin θ sin φ] at azimuth v.

@@ -4,7 +4,7 @@
 //! the code is this study's.
 
 mod concentric;
-pub(crate) mod lobe;
+mod lobe;
 mod maths;
 mod planar;
 mod points;
@@ -12,7 +12,8 @@ mod rejection;
 mod root_finder;
 mod textbook;
 
-use crate::contender::{Contender, Measure, plain};
+use crate::arrays::over_pairs;
+use crate::contender::{Contender, DIRECTION, Measure, SAMPLE, plain};
 use coslobe::rand_core::Rng;
 use kit::accuracy::format::Format;
 use kit::accuracy::reference::Id;
@@ -22,12 +23,6 @@ use kit::study::inputs::Uniforms;
 use rand::RngExt;
 use rand::distr::{Distribution, StandardUniform};
 use std::marker::PhantomData;
-
-/// Lambert's law by the concentric map.
-#[inline(always)]
-pub(crate) fn concentric(u: f32, v: f32) -> [f32; 3] {
-    concentric::direction::<f32, maths::Std>(u, v)
-}
 
 pub(crate) fn all(list: &mut Vec<Contender>) {
     lobe::all(list);
@@ -62,6 +57,7 @@ fn push<T: Format>(
         format: plain(T::NAME),
         law: about.law,
         operation,
+        width: None,
         cell,
         own: Uniforms::Grid,
         measure: Some(measure),
@@ -102,10 +98,22 @@ where
     StandardUniform: Distribution<T>,
     F: Fn(T, T) -> [T; 3] + Copy + 'static,
 {
-    let measure: Measure =
-        Box::new(move |from, n| errors::of_map(about.law, true, from, n, |u| f(u, T::of(0.3))));
-    let cell = Cell::drawing(Mapped(f, PhantomData::<T>));
-    push::<T>(list, about, "sample", cell, measure);
+    mapped::<T, F>(list, about, f, || {
+        Box::new(move |from, n| errors::of_map(about.law, true, from, n, |u| f(u, T::of(0.3))))
+    });
+}
+
+/// A map of the square, drawn through and over an array of pairs.
+fn mapped<T, F>(list: &mut Vec<Contender>, about: About, f: F, measure: impl Fn() -> Measure)
+where
+    T: Format,
+    StandardUniform: Distribution<T>,
+    F: Fn(T, T) -> [T; 3] + Copy + 'static,
+{
+    let drawn = Cell::drawing(Mapped(f, PhantomData::<T>));
+    push::<T>(list, about, SAMPLE, drawn, measure());
+    let loop_of_pairs = over_pairs(move |[u, v]| f(u, v));
+    push::<T>(list, about, DIRECTION, loop_of_pairs, measure());
 }
 
 /// A direction of one uniform in the plane.
@@ -143,5 +151,5 @@ where
 {
     let measure: Measure = Box::new(move |from, n| errors::of_map(about.law, false, from, n, f));
     let cell = Cell::drawing(Flat(f, PhantomData::<T>));
-    push::<T>(list, about, "sample", cell, measure);
+    push::<T>(list, about, SAMPLE, cell, measure);
 }

@@ -39,15 +39,12 @@ pub(crate) fn draw(rows: &[Row]) -> Result<String, Box<dyn Error>> {
                     .filter(|r| r.operation == "sample" && r.law == *law && r.board == board.name);
                 let points = points.filter_map(|r| {
                     let subject = SUBJECTS.iter().find(|s| s.name == r.name)?;
-                    Some(Point {
-                        instructions: r.instructions_mean,
-                        error: r.max_relative.or(r.max_absolute)?,
-                        short: subject.short,
-                        ours: r.ours,
-                        format: &r.format,
-                    })
+                    let error = r.max_relative.or(r.max_absolute)?;
+                    let (cost, format) = (r.instructions_mean, &r.format);
+                    Some(Point::of(cost, error, subject.short, r.ours, format))
                 });
-                panel::draw(&part, &points.collect::<Vec<_>>())?;
+                let cost = "instructions of a call";
+                panel::draw(&part, &points.collect::<Vec<_>>(), cost)?;
             }
         }
         Ok(())
