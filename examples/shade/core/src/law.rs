@@ -1,8 +1,9 @@
 //! The crate's laws as the shader uses them: to draw a direction around an axis, and its density there.
 
 use crate::number::zero;
-use crate::{Number, Vector, Words};
+use crate::{Number, Vector};
 use core::fmt::Debug;
+use coslobe::rand_core::Rng;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial,
     SphereShell,
@@ -10,10 +11,8 @@ use coslobe::{
 
 /// A law that draws directions around an axis in the world of `V`.
 pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {
-    /// (cos θ, sin θ), and the direction.
-    fn draw<R: Words>(&self, axis: V, rng: &mut R) -> (CosSin<V::T>, V);
-    /// Density of a pair, rad⁻¹ or sr⁻¹.
-    fn density_at(&self, at: CosSin<V::T>) -> V::T;
+    /// The direction, (cos θ, sin θ) and the density, rad⁻¹ or sr⁻¹: those of the angle that was drawn.
+    fn draw<R: Rng>(&self, axis: V, rng: &mut R) -> (V, CosSin<V::T>, V::T);
     /// Density of the direction `d` around `axis`.
     fn density_of(&self, axis: V, d: V) -> V::T;
     /// What a sample weighs for a white diffuse surface.
@@ -57,20 +56,11 @@ fn pair<L: Reads, V: Vector>(axis: V, d: V) -> CosSin<V::T> {
     }
 }
 
-#[inline(always)]
-fn draw<L: Law<V::T>, V: Vector, R: Words>(law: &L, axis: V, rng: &mut R) -> (CosSin<V::T>, V) {
-    let at = law.warp_tails(V::T::tails(rng));
-    (at, axis.around(at, rng))
-}
-
 impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 3]> for L {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
-        draw(self, axis, rng)
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
-        self.density(at)
+    fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> ([T; 3], CosSin<T>, T) {
+        let s = self.sample_around_with_density(axis, rng);
+        (s.direction.drawn(), s.at, s.density)
     }
     #[inline(always)]
     fn density_of(&self, axis: [T; 3], d: [T; 3]) -> T {
@@ -91,12 +81,9 @@ impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T;
 
 impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 2]> for L {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
-        draw(self, axis, rng)
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
-        self.density(at)
+    fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> ([T; 2], CosSin<T>, T) {
+        let s = self.sample_with_density(rng);
+        (axis.around(s.at, rng), s.at, s.density)
     }
     #[inline(always)]
     fn density_of(&self, axis: [T; 2], d: [T; 2]) -> T {
@@ -142,23 +129,12 @@ pub enum AnyPlanar {
 /// Each call is passed on to the law.
 impl<T: Number> Sampling<[T; 3]> for AnySpatial<T> {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
-        let u = T::tails(rng);
-        let at = match self {
-            Self::Lambert => Lambert.warp_tails(u),
-            Self::SphereShell => SphereShell.warp_tails(u),
-            Self::Ball => Ball.warp_tails(u),
-            Self::Power(law) => law.warp_tails(u),
-        };
-        (at, axis.around(at, rng))
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
+    fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> ([T; 3], CosSin<T>, T) {
         match self {
-            Self::Lambert => Lambert.density(at),
-            Self::SphereShell => SphereShell.density(at),
-            Self::Ball => Ball.density(at),
-            Self::Power(law) => law.density(at),
+            Self::Lambert => Lambert.draw(axis, rng),
+            Self::SphereShell => SphereShell.draw(axis, rng),
+            Self::Ball => Ball.draw(axis, rng),
+            Self::Power(law) => law.draw(axis, rng),
         }
     }
     #[inline(always)]
@@ -191,29 +167,20 @@ impl<T: Number> Sampling<[T; 3]> for AnySpatial<T> {
 
 impl<T: Number> Sampling<[T; 2]> for AnyPlanar {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
-        let u = T::tails(rng);
-        let at = match self {
-            Self::CircleArc => CircleArc.warp_tails(u),
-            Self::CircleShell => CircleShell.warp_tails(u),
-            Self::Disk => Disk.warp_tails(u),
-        };
-        (at, axis.around(at, rng))
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
+    fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> ([T; 2], CosSin<T>, T) {
         match self {
-            Self::CircleArc => CircleArc.density(at),
-            Self::CircleShell => CircleShell.density(at),
-            Self::Disk => Disk.density(at),
+            Self::CircleArc => CircleArc.draw(axis, rng),
+            Self::CircleShell => CircleShell.draw(axis, rng),
+            Self::Disk => Disk.draw(axis, rng),
         }
     }
     #[inline(always)]
     fn density_of(&self, axis: [T; 2], d: [T; 2]) -> T {
-        self.density_at(CosSin {
-            cos: axis.dot(d),
-            sin: T::ZERO,
-        })
+        match self {
+            Self::CircleArc => CircleArc.density_of(axis, d),
+            Self::CircleShell => CircleShell.density_of(axis, d),
+            Self::Disk => Disk.density_of(axis, d),
+        }
     }
     #[inline(always)]
     fn diffuse_weight(&self, at: CosSin<T>) -> T {

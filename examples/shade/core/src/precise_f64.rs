@@ -1,6 +1,6 @@
 //! The most exact type of all: what others' pictures are compared with.
 
-use crate::{Number, Words};
+use crate::Number;
 use coslobe::Precise;
 
 impl Number for Precise<f64> {
@@ -25,13 +25,5 @@ impl Number for Precise<f64> {
     #[inline]
     fn ln(self) -> Self {
         Precise(libm::log(self.0))
-    }
-    #[inline(always)]
-    fn tail_bits<R: Words>(rng: &mut R) -> u128 {
-        f64::tail_bits(rng)
-    }
-    #[inline(always)]
-    fn turn_bits<R: Words>(rng: &mut R) -> u64 {
-        f64::turn_bits(rng)
     }
 }
