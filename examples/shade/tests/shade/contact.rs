@@ -6,13 +6,13 @@ use shade_core::effect::{Sky, Sun};
 use shade_core::{AnyPlanar, AnySpatial, Asked, Number, Pixel, Plate, Scene, Vector, pixel};
 
 /// Right, up and backward of a world turned out of its axes by two angles.
-fn turned([a, b]: [f64; 2]) -> [[f64; 3]; 3] {
+pub(crate) fn turned([a, b]: [f64; 2]) -> [[f64; 3]; 3] {
     let ((s, c), (t, d)) = (a.sin_cos(), b.sin_cos());
     [[c, s, 0.0], [-s * d, c * d, t], [s * t, -c * t, d]]
 }
 
 /// `offset` + the turned `at`.
-fn place(axes: [[f64; 3]; 3], offset: [f64; 3], at: [f64; 3]) -> [f64; 3] {
+pub(crate) fn place(axes: [[f64; 3]; 3], offset: [f64; 3], at: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|i| offset[i] + (0..3).map(|k| axes[k][i] * at[k]).sum::<f64>())
 }
 
@@ -134,10 +134,10 @@ fn leaks<V: Vector>(mut scene: Scene<V>, own: V::Law, samples: u32) -> usize {
         .count()
 }
 
-const FAR: [f64; 3] = [3000.1, -2100.0, 930.0];
+pub(crate) const FAR: [f64; 3] = [3000.1, -2100.0, 930.0];
 
 /// A room of six plates.
-fn room<T: Number>(tilt: [f64; 2], offset: [f64; 3], half: [f64; 3]) -> Scene<[T; 3]> {
+pub(crate) fn room<T: Number>(tilt: [f64; 2], offset: [f64; 3], half: [f64; 3]) -> Scene<[T; 3]> {
     let axes = turned(tilt);
     let mut scene = Scene::<[T; 3]>::new(camera(&offset, &[0.0, 0.0, -1.0]));
     view(&mut scene, &offset, &[0.0, 0.0, -1.0], 0.2);
