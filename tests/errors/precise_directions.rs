@@ -10,10 +10,10 @@ use kit::accuracy::wide::Wide;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-type Fine<T> = <<T as Number>::Raw as Format>::Fine;
+pub(crate) type Fine<T> = <<T as Number>::Raw as Format>::Fine;
 
 /// |got − want| in ulps of `want`.
-fn error<T: Number>(got: T, want: Fine<T>) -> f64 {
+pub(crate) fn error<T: Number>(got: T, want: Fine<T>) -> f64 {
     let near = want.near();
     let lift = if near.abs() < 1e-200 { 600 } else { 0 };
     let apart = (want - Fine::<T>::of(got.wide())).lifted(lift).hi.abs();
@@ -35,7 +35,7 @@ impl<T: Number> Worst<T> {
 }
 
 /// (cos φ, sin φ) at hi + lo turns.
-fn azimuth<W: Wide>(hi: f64, lo: f64) -> (W, W) {
+pub(crate) fn azimuth<W: Wide>(hi: f64, lo: f64) -> (W, W) {
     let quarter = (hi * 4.0).round();
     let x = W::of(hi - quarter / 4.0) + W::of(lo);
     let negative = x < W::default();
@@ -50,12 +50,12 @@ fn azimuth<W: Wide>(hi: f64, lo: f64) -> (W, W) {
 }
 
 /// True components at the nearer tail p and an azimuth.
-fn components<W: Wide>(id: Id, p: f64, upper: bool, (cos, sin): (W, W)) -> [W; 3] {
+pub(crate) fn components<W: Wide>(id: Id, p: f64, upper: bool, (cos, sin): (W, W)) -> [W; 3] {
     let at = warp::<W>(id, p, upper);
     [at.1 * cos, at.0, at.1 * sin]
 }
 
-trait Words: Number {
+pub(crate) trait Words: Number {
     fn words(rng: &mut Pcg64) -> (TailBits<Self>, TurnBits<Self>);
     /// n + ½ parts of the whole turn, in turns.
     fn turn(bits: TurnBits<Self>) -> (f64, f64);

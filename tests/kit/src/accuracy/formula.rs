@@ -127,7 +127,13 @@ impl<W: Wide> Formula<W> {
             Id::CircleArc => self.weight * c,
             Id::Disk | Id::SphereShell => self.weight / c,
             Id::Ball => self.weight / c / c, // c² would underflow before the weight overflows
-            Id::CosPower(k) if k < 1.0 && c == W::default() => c,
+            Id::CosPower(k) if c == W::default() => {
+                if k < 1.0 {
+                    c
+                } else {
+                    self.weight
+                }
+            }
             Id::CosPower(_) => {
                 let log = self.weight.ln() + (W::of(1.0) - self.k) * at.ln_cos();
                 if log.near() > 709.8 {
