@@ -187,7 +187,7 @@ fn on_ray<T: Real, L: Point>(rho: Radius<T>, at: CosSin<T>, r: T, value: T, outs
 /// Points in the plane.
 pub trait PlanarPoint<T: Real>: Planar<T> + Tangent<T> {
     /// Draws the point \[x, y\] itself: the distance times the direction, each component rounded
-    /// once more (of `Precise` within 1.6 ulp). Randomness: [`Planar::sample`], then
+    /// once more (of `Precise` four roundings, together within 3 ulp). Randomness: [`Planar::sample`], then
     /// [`uniform::unit`] for [`Disk`](crate::Disk) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 2] {
@@ -202,7 +202,7 @@ impl<T: Real, L: Planar<T> + Tangent<T>> PlanarPoint<T> for L {}
 /// Points in space.
 pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
     /// Draws the point \[x, y, z\] itself: the distance times the direction, each component rounded
-    /// once more (of `Precise` within 1.6 ulp). Randomness: [`Spatial::sample`], then
+    /// once more (of `Precise` four roundings, together within 3 ulp). Randomness: [`Spatial::sample`], then
     /// [`uniform::unit`] for [`Ball`](crate::Ball) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 3] {

@@ -8,6 +8,7 @@ mod moments;
 mod planted;
 mod points;
 mod precise_directions;
+mod precise_points;
 mod precise_tiny;
 mod q15;
 mod q31;

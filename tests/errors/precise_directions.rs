@@ -11,10 +11,10 @@ use kit::{LawVisitor, Number, PlanarLaw, SpatialLaw};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-type Fine<T> = <<T as Number>::Raw as Format>::Fine;
+pub(crate) type Fine<T> = <<T as Number>::Raw as Format>::Fine;
 
 /// |got − want| in ulps of `want`.
-fn error<T: Number>(got: T, want: Fine<T>) -> f64 {
+pub(crate) fn error<T: Number>(got: T, want: Fine<T>) -> f64 {
     let near = want.near();
     let lift = if near.abs() < 1e-200 { 600 } else { 0 };
     let apart = (want - Fine::<T>::of(got.wide())).lifted(lift).hi.abs();
@@ -36,7 +36,7 @@ impl<T: Number> Worst<T> {
 }
 
 /// (cos φ, sin φ) at hi + lo turns.
-fn azimuth<W: Wide>(hi: f64, lo: f64) -> (W, W) {
+pub(crate) fn azimuth<W: Wide>(hi: f64, lo: f64) -> (W, W) {
     let quarter = (hi * 4.0).round();
     let x = W::of(hi - quarter / 4.0) + W::of(lo);
     let negative = x < W::default();
@@ -51,12 +51,12 @@ fn azimuth<W: Wide>(hi: f64, lo: f64) -> (W, W) {
 }
 
 /// True components at the nearer tail p and an azimuth.
-fn components<W: Wide>(id: Id, p: f64, upper: bool, (cos, sin): (W, W)) -> [W; 3] {
+pub(crate) fn components<W: Wide>(id: Id, p: f64, upper: bool, (cos, sin): (W, W)) -> [W; 3] {
     let at = warp::<W>(id, p, upper);
     [at.1 * cos, at.0, at.1 * sin]
 }
 
-trait Words: Number {
+pub(crate) trait Words: Number {
     fn words(rng: &mut Pcg64) -> (TailBits<Self>, TurnBits<Self>);
     /// n + ½ parts of the whole turn, in turns.
     fn turn(bits: TurnBits<Self>) -> (f64, f64);
@@ -153,6 +153,16 @@ impl<T: Words> LawVisitor<T> for Directions {
     fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
         directions::<T>(id, law, self.0);
     }
+}
+
+/// Once the product of two rounded numbers: 1.82 ulp.
+#[test]
+fn a_component_is_rounded_once() {
+    let u = [0x2642_3fc2, 0x3eb1_c138].map(|bits| Precise(f32::from_bits(bits)));
+    let turn = azimuth::<Fine<Precise<f32>>>(u[1].wide(), 0.0);
+    let want = components(Id::Lambert, u[0].wide(), false, turn);
+    let got = Lambert.warp_direction(u);
+    assert!(error(got[0], want[0]) <= 0.5, "{got:?}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ obtain() {
     miri) toolchain nightly && rustup +nightly component add miri rust-src >/dev/null 2>&1 || echo "nightly has no Miri" ;;
     registry) cargo info libm >/dev/null 2>&1 || echo "no registry reached" ;;
     valgrind) debian valgrind valgrind ;;
+    parallel) debian parallel parallel ;;
     provers) debian sollya sollya && debian gappa gappa && python ;;
     qemu) debian qemu-system-arm qemu-system-arm; debian qemu-system-riscv32 qemu-system-misc ;;
     gcc) debian g++ g++; debian pkg-config pkg-config; debian arm-none-eabi-gcc gcc-arm-none-eabi; debian riscv64-unknown-elf-gcc gcc-riscv64-unknown-elf ;;

@@ -37,6 +37,7 @@ step targets                  full  targets        thumbv6m-none-eabi?,thumbv7em
 step publish                  full  publish        registry          cargo publish --dry-run --allow-dirty --quiet
 step readme                   full  release        -                 readme
 step runner                   quick -              -                 runner_says_what_it_lacks
+step parts                    full  release        parallel          tools/errors_in_parts_check
 step template                 full  template       qemu,thumbv7em-none-eabihf tools/check/template
 step refused-targets          full  -              i586-unknown-linux-gnu tools/refused_targets
 step refused-programs         full  -              -                    tools/refused_programs

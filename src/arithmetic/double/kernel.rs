@@ -57,7 +57,7 @@ impl Kernel for Double {
     }
     #[inline]
     fn ln_cos(at: CosSin<Self>) -> Self {
-        if at.cos < at.sin {
+        if at.cos <= at.sin {
             log_exp::ln(at.cos)
         } else {
             log_exp::ln_1p(-(at.sin * at.sin)) * Self::HALF

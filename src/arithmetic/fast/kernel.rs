@@ -195,8 +195,14 @@ impl Kernel for Fast<f32> {
         let a = log / n;
         let sin = if -a.0 < 1e-30 {
             // sin²θ = −2a, which for large n underflows before its root does. The logarithm is not
-            // positive, and its size has no −0 for a root to keep.
-            Scalar::sqrt((log + log).abs()) / Scalar::sqrt(n)
+            // positive, and its size has no −0 for a root to keep. A subnormal one lost its last digit.
+            let lower = p.lower();
+            let size = if lower.0 < f32::MIN_POSITIVE {
+                lower
+            } else {
+                log.abs()
+            };
+            Scalar::sqrt(size + size) / Scalar::sqrt(n)
         } else {
             Scalar::sqrt(Self::one_minus_exp(a + a))
         };

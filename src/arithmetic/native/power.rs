@@ -21,7 +21,7 @@ pub struct Cosine<T> {
 /// Of a direction.
 #[inline(always)]
 pub(crate) fn cosine<T: Native>(at: CosSin<T>) -> Cosine<T> {
-    let far = at.cos < at.sin;
+    let far = at.cos <= at.sin;
     Cosine {
         small: Pair::from_value(T::select(far, at.cos, at.sin)),
         far,

@@ -84,7 +84,7 @@ impl Kernel for Scaled {
         Self::from_double(Double::CONSTANTS.ln_2 * e + log_exp::ln(self.part))
     }
     fn ln_cos(at: CosSin<Self>) -> Self {
-        if at.cos < at.sin {
+        if at.cos <= at.sin {
             Kernel::ln(at.cos)
         } else if at.sin.is_below(-HALF_DIGITS) {
             -(at.sin * at.sin) * Self::HALF

@@ -1,16 +1,15 @@
 //! The crate's laws as the shader uses them: to draw a direction around an axis, and its density there.
 
 use crate::scalar::zero;
-use crate::{Number, Vector, Words};
+use crate::{Number, Vector};
 use core::fmt::Debug;
+use coslobe::rand_core::Rng;
 use coslobe::{CosSin, Law, Planar, Spatial};
 
 /// A law that draws directions around an axis in the world of `V`.
 pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {
-    /// (cos θ, sin θ), and the direction.
-    fn draw<R: Words>(&self, axis: V, rng: &mut R) -> (CosSin<V::T>, V);
-    /// Density of a pair, rad⁻¹ or sr⁻¹.
-    fn density_at(&self, at: CosSin<V::T>) -> V::T;
+    /// The direction, (cos θ, sin θ) and the density, rad⁻¹ or sr⁻¹: those of the angle that was drawn.
+    fn draw<R: Rng>(&self, axis: V, rng: &mut R) -> (V, CosSin<V::T>, V::T);
     /// Density of the direction `d` around `axis`.
     fn density_of(&self, axis: V, d: V) -> V::T;
     /// What a sample weighs for a white diffuse surface.
@@ -40,20 +39,11 @@ fn pair<L: Reads, V: Vector>(axis: V, d: V) -> CosSin<V::T> {
     }
 }
 
-#[inline(always)]
-fn draw<L: Law<V::T>, V: Vector, R: Words>(law: &L, axis: V, rng: &mut R) -> (CosSin<V::T>, V) {
-    let at = law.warp_tails(V::T::tails(rng));
-    (at, axis.around(at, rng))
-}
-
 impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 3]> for L {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
-        draw(self, axis, rng)
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
-        self.density(at)
+    fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> ([T; 3], CosSin<T>, T) {
+        let s = self.sample_around_with_density(axis, rng);
+        (s.direction.drawn(), s.at, s.density)
     }
     #[inline(always)]
     fn density_of(&self, axis: [T; 3], d: [T; 3]) -> T {
@@ -74,12 +64,9 @@ impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T;
 
 impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 2]> for L {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
-        draw(self, axis, rng)
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
-        self.density(at)
+    fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> ([T; 2], CosSin<T>, T) {
+        let s = self.sample_with_density(rng);
+        (axis.around(s.at, rng), s.at, s.density)
     }
     #[inline(always)]
     fn density_of(&self, axis: [T; 2], d: [T; 2]) -> T {

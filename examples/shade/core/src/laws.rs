@@ -1,6 +1,7 @@
 //! The laws by name, for what is chosen when the shader runs.
 
-use crate::{Number, Reads, Sampling, Vector, Words};
+use crate::{Number, Reads, Sampling};
+use coslobe::rand_core::Rng;
 use coslobe::{Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, SphereShell};
 
 /// A law, as scene files call it.
@@ -104,23 +105,12 @@ impl AnyPlanar {
 /// Each call is passed on to the law.
 impl<T: Number> Sampling<[T; 3]> for AnySpatial<T> {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 3], rng: &mut R) -> (CosSin<T>, [T; 3]) {
-        let u = T::tails(rng);
-        let at = match self {
-            Self::Lambert => Lambert.warp_tails(u),
-            Self::SphereShell => SphereShell.warp_tails(u),
-            Self::Ball => Ball.warp_tails(u),
-            Self::Power(law) => law.warp_tails(u),
-        };
-        (at, axis.around(at, rng))
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
+    fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> ([T; 3], CosSin<T>, T) {
         match self {
-            Self::Lambert => Lambert.density(at),
-            Self::SphereShell => SphereShell.density(at),
-            Self::Ball => Ball.density(at),
-            Self::Power(law) => law.density(at),
+            Self::Lambert => Lambert.draw(axis, rng),
+            Self::SphereShell => SphereShell.draw(axis, rng),
+            Self::Ball => Ball.draw(axis, rng),
+            Self::Power(law) => law.draw(axis, rng),
         }
     }
     #[inline(always)]
@@ -153,29 +143,20 @@ impl<T: Number> Sampling<[T; 3]> for AnySpatial<T> {
 
 impl<T: Number> Sampling<[T; 2]> for AnyPlanar {
     #[inline(always)]
-    fn draw<R: Words>(&self, axis: [T; 2], rng: &mut R) -> (CosSin<T>, [T; 2]) {
-        let u = T::tails(rng);
-        let at = match self {
-            Self::CircleArc => CircleArc.warp_tails(u),
-            Self::CircleShell => CircleShell.warp_tails(u),
-            Self::Disk => Disk.warp_tails(u),
-        };
-        (at, axis.around(at, rng))
-    }
-    #[inline(always)]
-    fn density_at(&self, at: CosSin<T>) -> T {
+    fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> ([T; 2], CosSin<T>, T) {
         match self {
-            Self::CircleArc => CircleArc.density(at),
-            Self::CircleShell => CircleShell.density(at),
-            Self::Disk => Disk.density(at),
+            Self::CircleArc => CircleArc.draw(axis, rng),
+            Self::CircleShell => CircleShell.draw(axis, rng),
+            Self::Disk => Disk.draw(axis, rng),
         }
     }
     #[inline(always)]
     fn density_of(&self, axis: [T; 2], d: [T; 2]) -> T {
-        self.density_at(CosSin {
-            cos: axis.dot(d),
-            sin: T::ZERO,
-        })
+        match self {
+            Self::CircleArc => CircleArc.density_of(axis, d),
+            Self::CircleShell => CircleShell.density_of(axis, d),
+            Self::Disk => Disk.density_of(axis, d),
+        }
     }
     #[inline(always)]
     fn diffuse_weight(&self, at: CosSin<T>) -> T {

@@ -39,7 +39,7 @@ pub use path::radiance;
 pub use plan::{Asked, Cost, Effect, Effects, Only, Set};
 pub use scene::{Camera, Scene};
 pub use start::Aim;
-pub use stream::{Place, Stream, Words};
+pub use stream::{Place, Stream};
 pub use vector::Vector;
 
 /// Red, green, blue: radiance, reflectance, transmittance.

@@ -1,7 +1,8 @@
 //! How a surface reflects and shines.
 
 use crate::scalar::{int, one, zero};
-use crate::{Effect, Meter, Number, Place, Rgb, Sampling, Stream, Vector, Words};
+use crate::{Effect, Meter, Number, Place, Rgb, Sampling, Stream, Vector};
+use coslobe::rand_core::Rng;
 
 /// How a surface reflects and shines.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +68,7 @@ impl<V: Vector> Material<V> {
     #[inline(always)]
     pub(crate) fn chooses_gloss<M: Meter>(&self, place: Place, bounce: u32, meter: &mut M) -> bool {
         meter.run(Effect::Mix);
-        let word = Stream::new(place, bounce, Effect::Mix, 0, meter).word();
+        let word = Stream::new(place, bounce, Effect::Mix, 0, meter).next_u32();
         u64::from(word) < self.share
     }
 }

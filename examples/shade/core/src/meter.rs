@@ -1,12 +1,13 @@
 //! Counting what a render does, by effect; the meter `()` counts nothing and costs nothing.
 
-use crate::Effect;
+use crate::{Effect, Number};
+use core::marker::PhantomData;
+use coslobe::uniform::TailBits;
 
 /// Hears of every ray and every random word.
 pub trait Meter {
-    /// Every number begins with a block of words of its own, so that types which take different counts of
-    /// words draw the same numbers.
-    const ALIGNED: bool = false;
+    /// Words of a stream's first block that are used.
+    const FIRST: usize = 4;
     /// A random word was drawn for `effect`.
     #[inline(always)]
     fn word(&mut self, _effect: Effect) {}
@@ -20,12 +21,13 @@ pub trait Meter {
 
 impl Meter for () {}
 
-/// Counts nothing; draws the same numbers in every number type, to their precision.
+/// Counts nothing; draws the same numbers in every number type, to their precision: a stream's second
+/// number begins its second block, whatever count of words the first, a tail, took in the type `T`.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Aligned;
+pub struct Aligned<T>(PhantomData<T>);
 
-impl Meter for Aligned {
-    const ALIGNED: bool = true;
+impl<T: Number> Meter for Aligned<T> {
+    const FIRST: usize = size_of::<TailBits<T>>() / 4;
 }
 
 /// Counts of one effect each.

@@ -1,8 +1,6 @@
 //! What the shader asks of a number type beyond what the laws do.
 
-use crate::Words;
-use coslobe::uniform::{self, TailBits, TurnBits};
-use coslobe::{CosSin, Fast, Precise, Real, Tails};
+use coslobe::{Fast, Precise, Real};
 
 /// A number type of `coslobe` that scenes are rendered in.
 ///
@@ -27,22 +25,6 @@ pub trait Number: Real + Into<f64> {
     fn exp(self) -> Self;
     /// ln x.
     fn ln(self) -> Self;
-    /// The words of one [`Tails`]: those of [`uniform::tails`].
-    fn tail_bits<R: Words>(rng: &mut R) -> TailBits<Self>;
-    /// The words of one azimuth.
-    fn turn_bits<R: Words>(rng: &mut R) -> TurnBits<Self>;
-    /// A uniform probability.
-    #[inline(always)]
-    fn tails<R: Words>(rng: &mut R) -> Tails<Self> {
-        rng.begin();
-        uniform::tails_from_bits::<Self>(Self::tail_bits(rng))
-    }
-    /// A uniform azimuth.
-    #[inline(always)]
-    fn azimuth<R: Words>(rng: &mut R) -> CosSin<Self> {
-        rng.begin();
-        uniform::azimuth_from_bits::<Self>(Self::turn_bits(rng))
-    }
 }
 
 impl Number for f32 {
@@ -69,14 +51,6 @@ impl Number for f32 {
     fn ln(self) -> f32 {
         libm::logf(self)
     }
-    #[inline(always)]
-    fn tail_bits<R: Words>(rng: &mut R) -> u64 {
-        rng.long()
-    }
-    #[inline(always)]
-    fn turn_bits<R: Words>(rng: &mut R) -> u32 {
-        rng.word()
-    }
 }
 
 impl Number for f64 {
@@ -102,14 +76,6 @@ impl Number for f64 {
     #[inline]
     fn ln(self) -> f64 {
         libm::log(self)
-    }
-    #[inline(always)]
-    fn tail_bits<R: Words>(rng: &mut R) -> u128 {
-        u128::from(rng.long()) << 64 | u128::from(rng.long())
-    }
-    #[inline(always)]
-    fn turn_bits<R: Words>(rng: &mut R) -> u64 {
-        rng.long()
     }
 }
 
@@ -138,14 +104,6 @@ impl Number for Fast<f32> {
     fn ln(self) -> Self {
         Fast(libm::logf(self.0))
     }
-    #[inline(always)]
-    fn tail_bits<R: Words>(rng: &mut R) -> u32 {
-        rng.word()
-    }
-    #[inline(always)]
-    fn turn_bits<R: Words>(rng: &mut R) -> u32 {
-        rng.word()
-    }
 }
 
 impl Number for Precise<f32> {
@@ -171,14 +129,6 @@ impl Number for Precise<f32> {
     #[inline]
     fn ln(self) -> Self {
         Precise(libm::logf(self.0))
-    }
-    #[inline(always)]
-    fn tail_bits<R: Words>(rng: &mut R) -> u64 {
-        rng.long()
-    }
-    #[inline(always)]
-    fn turn_bits<R: Words>(rng: &mut R) -> u32 {
-        rng.word()
     }
 }
 
@@ -206,14 +156,6 @@ impl Number for Precise<f64> {
     #[inline]
     fn ln(self) -> Self {
         Precise(libm::log(self.0))
-    }
-    #[inline(always)]
-    fn tail_bits<R: Words>(rng: &mut R) -> u128 {
-        f64::tail_bits(rng)
-    }
-    #[inline(always)]
-    fn turn_bits<R: Words>(rng: &mut R) -> u64 {
-        f64::turn_bits(rng)
     }
 }
 

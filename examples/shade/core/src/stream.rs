@@ -1,6 +1,8 @@
 //! Random words by counting: a hash of (pixel, sample, bounce, effect), so that no effect shifts another's.
 
 use crate::{Effect, Meter};
+use core::convert::Infallible;
+use coslobe::rand_core::{TryRng, utils};
 
 /// Where in the image's estimate a random number belongs.
 #[derive(Clone, Copy, Debug)]
@@ -30,11 +32,14 @@ fn block(v: [u32; 4]) -> [u32; 4] {
     fold(mix(fold(mix([x, y, z, w]))))
 }
 
-/// The words of one effect at one bounce of one sample of one pixel.
+/// The words of one effect at one bounce of one sample of one pixel: a generator that draws them in order,
+/// of 64 bits the high word first.
 pub struct Stream<'m, M> {
     counter: [u32; 4],
     words: [u32; 4],
     used: usize,
+    /// Words of the block.
+    end: usize,
     effect: Effect,
     meter: &'m mut M,
 }
@@ -49,46 +54,33 @@ impl<'m, M: Meter> Stream<'m, M> {
             counter,
             words: block(counter),
             used: 0,
+            end: M::FIRST,
             effect,
             meter,
         }
     }
 }
 
-/// Where random words come from. `rand_core`'s traits say the same, but what is provided there is not
-/// always inlined, and then a stream's state goes through memory.
-pub trait Words {
-    /// The next 32 bits.
-    fn word(&mut self) -> u32;
-    /// A number is drawn from here.
+impl<M: Meter> TryRng for Stream<'_, M> {
+    type Error = Infallible;
     #[inline(always)]
-    fn begin(&mut self) {}
-    /// The next 64 bits, high word first.
-    #[inline(always)]
-    fn long(&mut self) -> u64 {
-        let high = self.word();
-        u64::from(high) << 32 | u64::from(self.word())
-    }
-}
-
-impl<M: Meter> Words for Stream<'_, M> {
-    #[inline(always)]
-    fn begin(&mut self) {
-        // No number takes more than a block.
-        if M::ALIGNED && self.used > 0 {
-            self.used = 4;
-        }
-    }
-    #[inline(always)]
-    fn word(&mut self) -> u32 {
-        if self.used == 4 {
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        if self.used == self.end {
             self.counter[3] = self.counter[3].wrapping_add(1);
             self.words = block(self.counter);
-            self.used = 0;
+            (self.used, self.end) = (0, 4);
         }
         let word = self.words[self.used & 3];
         self.used += 1;
         self.meter.word(self.effect);
-        word
+        Ok(word)
+    }
+    #[inline(always)]
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        let high = self.try_next_u32()?;
+        Ok(u64::from(high) << 32 | u64::from(self.try_next_u32()?))
+    }
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        utils::fill_bytes_via_next_word(bytes, || self.try_next_u32())
     }
 }

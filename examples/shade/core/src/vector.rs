@@ -3,8 +3,9 @@
 use crate::law::Sampling;
 use crate::laws::{AnyPlanar, AnySpatial};
 use crate::scalar::one;
-use crate::{Number, Rgb, Words};
-use coslobe::{CircleShell, CosSin, Frame, Lambert, Law};
+use crate::{Number, Rgb};
+use coslobe::rand_core::Rng;
+use coslobe::{CircleShell, CosSin, Frame, Lambert, Law, uniform};
 
 /// `[T; 3]` for space, `[T; 2]` for flatland.
 ///
@@ -29,15 +30,15 @@ pub trait Vector: Copy + Send + Sync + core::fmt::Debug + 'static {
     /// Density of a direction uniform all around.
     fn isotropic_density() -> Self::T;
     /// A direction uniform all around.
-    fn isotropic<R: Words>(rng: &mut R) -> Self;
+    fn isotropic<R: Rng>(rng: &mut R) -> Self;
     /// The world direction at (cos θ, sin θ) from a unit axis, azimuth drawn where there is one.
-    fn around<R: Words>(self, at: CosSin<Self::T>, rng: &mut R) -> Self;
+    fn around<R: Rng>(self, at: CosSin<Self::T>, rng: &mut R) -> Self;
 
     /// Density of light reflected by a white diffuse surface, f·cos θ: cos θ/π or cos θ/2.
     fn diffuse_density(cos: Self::T) -> Self::T;
     /// (cos θ, sin θ, density) of a direction towards a sphere seen under sin² of its half angle = `s2`:
     /// by solid angle in space, by the sine in flatland, which needs no arcsine.
-    fn cone<R: Words>(s2: Self::T, rng: &mut R) -> (CosSin<Self::T>, Self::T);
+    fn cone<R: Rng>(s2: Self::T, rng: &mut R) -> (CosSin<Self::T>, Self::T);
     /// Density of [`cone`](Vector::cone) at cos θ.
     fn cone_density(s2: Self::T, cos: Self::T) -> Self::T;
 
@@ -115,15 +116,15 @@ impl<T: Number> Vector for [T; 3] {
     }
     /// cos θ = 1 − 2u and sin θ = 2√(u(1−u)), both exact at both poles.
     #[inline(always)]
-    fn isotropic<R: Words>(rng: &mut R) -> Self {
-        let u = T::tails(rng);
-        let azimuth = T::azimuth(rng);
+    fn isotropic<R: Rng>(rng: &mut R) -> Self {
+        let u = uniform::tails::<T, _>(rng);
+        let azimuth = uniform::azimuth::<T, _>(rng);
         let sin = T::int(2) * (u.lower() * u.upper()).root();
         [sin * azimuth.cos, u.upper() - u.lower(), sin * azimuth.sin].drawn()
     }
     #[inline(always)]
-    fn around<R: Words>(self, at: CosSin<T>, rng: &mut R) -> Self {
-        let azimuth = T::azimuth(rng);
+    fn around<R: Rng>(self, at: CosSin<T>, rng: &mut R) -> Self {
+        let azimuth = uniform::azimuth::<T, _>(rng);
         let local = [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin];
         Frame::from_unit(self).to_world(local).drawn()
     }
@@ -132,10 +133,10 @@ impl<T: Number> Vector for [T; 3] {
         Lambert.density(CosSin { cos, sin: T::ZERO })
     }
     #[inline(always)]
-    fn cone<R: Words>(s2: T, rng: &mut R) -> (CosSin<T>, T) {
+    fn cone<R: Rng>(s2: T, rng: &mut R) -> (CosSin<T>, T) {
         let height = cap(s2);
         // 1 − cos θ, from which the sine of a narrow cone keeps its digits.
-        let depth = T::tails(rng).lower() * height;
+        let depth = uniform::tails::<T, _>(rng).lower() * height;
         let at = CosSin {
             cos: T::ONE - depth,
             sin: (depth * (T::int(2) - depth)).root(),
@@ -176,12 +177,12 @@ impl<T: Number> Vector for [T; 2] {
         T::HALF / T::PI
     }
     #[inline(always)]
-    fn isotropic<R: Words>(rng: &mut R) -> Self {
-        let turn = T::azimuth(rng);
+    fn isotropic<R: Rng>(rng: &mut R) -> Self {
+        let turn = uniform::azimuth::<T, _>(rng);
         [turn.cos, turn.sin].drawn()
     }
     #[inline(always)]
-    fn around<R: Words>(self, at: CosSin<T>, _: &mut R) -> Self {
+    fn around<R: Rng>(self, at: CosSin<T>, _: &mut R) -> Self {
         let [x, y] = self;
         [x * at.cos + y * at.sin, y * at.cos - x * at.sin].drawn()
     }
@@ -191,9 +192,9 @@ impl<T: Number> Vector for [T; 2] {
     }
     /// sin θ = s(2u − 1): the flat Lambert law, of which the circle covers the middle.
     #[inline(always)]
-    fn cone<R: Words>(s2: T, rng: &mut R) -> (CosSin<T>, T) {
+    fn cone<R: Rng>(s2: T, rng: &mut R) -> (CosSin<T>, T) {
         let s = s2.root();
-        let u = T::tails(rng);
+        let u = uniform::tails::<T, _>(rng);
         let sin = s * (u.lower() - u.upper());
         // Rounding may take the sine of nearly a half turn beyond 1.
         let square = (T::ONE - sin) * (T::ONE + sin);

@@ -2,19 +2,15 @@
 
 use super::open_sky::{diffuse, sky};
 use super::{filtered, nearest, plus, surface, words};
-use coslobe::{Lambert, Law};
-use shade_core::{Effect, Number, Place, Ray, Scene, Target, Vector};
+use coslobe::Lambert;
+use shade_core::{Effect, Place, Ray, Scene, Target, Vector};
 
 #[inline(always)]
 pub fn depth_of_field(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] {
     let camera = &scene.camera;
     let (x, y) = filtered(scene, at, place);
     let (x, y) = (x * camera.step, -(y * camera.step));
-    let mut no_meter = ();
-    let mut lens = words(place, 0, Effect::Lens, &mut no_meter);
-    let at = Lambert.warp_tails(<f32 as Number>::tails(&mut lens));
-    let azimuth = <f32 as Number>::azimuth(&mut lens);
-    let (u, v) = (at.sin * azimuth.cos, at.sin * azimuth.sin);
+    let [u, _, v]: [f32; 3] = Lambert.sample(&mut words(place, 0, Effect::Lens, &mut ()));
     let slope = camera.lens / camera.focus;
     let (x, y) = (x - u * slope, y - v * slope);
     let eye = camera.eye.along(camera.right, u * camera.lens);
@@ -39,7 +35,7 @@ pub fn depth_of_field(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> 
     };
     let on = Ray {
         origin,
-        direction: diffuse(normal, place, 0).1,
+        direction: diffuse(normal, place, 0).direction,
     };
     let met = nearest(scene, &on);
     let shine = if met.target == Target::NONE {

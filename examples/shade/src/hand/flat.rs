@@ -3,8 +3,8 @@
 use super::lamp::{direct, met};
 use super::open_sky::sky;
 use super::{filtered, is_clear, nearest, plus, surface, words};
-use coslobe::{CircleShell, CosSin, Law};
-use shade_core::{Effect, Number, Place, Ray, Sampling, Scene, Stream, Target, Vector};
+use coslobe::{CircleShell, CosSin, Law, Planar};
+use shade_core::{Effect, Place, Ray, Sampling, Scene, Stream, Target, Vector};
 
 type Flat = Scene<[f32; 2]>;
 
@@ -34,13 +34,13 @@ fn lambertian(normal: [f32; 2], albedo: [f32; 3]) -> impl Fn([f32; 2]) -> Option
     }
 }
 
-/// (its angle, a direction) by the flat Lambert law.
+/// (a direction, its density) by the flat Lambert law.
 #[inline(always)]
-fn diffuse(normal: [f32; 2], place: Place, bounce: u32) -> (CosSin<f32>, [f32; 2]) {
+fn diffuse(normal: [f32; 2], place: Place, bounce: u32) -> ([f32; 2], f32) {
     let mut no_meter = ();
     let mut words = words(place, bounce, Effect::Diffuse, &mut no_meter);
-    let at = CircleShell.warp_tails(<f32 as Number>::tails(&mut words));
-    (at, normal.around(at, &mut words))
+    let s = Planar::<f32>::sample_with_density(&CircleShell, &mut words);
+    (normal.around(s.at, &mut words), s.density)
 }
 
 #[inline(always)]
@@ -62,10 +62,10 @@ pub fn flat_lamp(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
     let reflected = lambertian(normal, material.diffuse);
     let shine = direct(scene, origin, reflected, (place, 1));
     light = plus(light, [1.0; 3], shine);
-    let (at, direction) = diffuse(normal, place, 1);
+    let (direction, density) = diffuse(normal, place, 1);
     let on = Ray { origin, direction };
     let next = nearest(scene, &on);
-    match met(scene, &on, next.t, CircleShell.density(at)) {
+    match met(scene, &on, next.t, density) {
         Some(shine) => plus(light, material.diffuse, shine),
         None => light,
     }
@@ -118,7 +118,7 @@ pub fn flat_bounces(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
             light = plus(light, throughput, sunlight(scene, origin, reflected));
             let mut no_meter = ();
             let mut words = words(place, bounce, Effect::Gloss, &mut no_meter);
-            (_, direction) = Sampling::<[f32; 2]>::draw(&material.lobe, mirror, &mut words);
+            (direction, ..) = Sampling::<[f32; 2]>::draw(&material.lobe, mirror, &mut words);
             let cos = normal.dot(direction);
             if !(cos > 0.0) {
                 break;
@@ -127,7 +127,7 @@ pub fn flat_bounces(scene: &Flat, at: (u16, u16), place: Place) -> [f32; 3] {
         } else {
             let reflected = lambertian(normal, material.diffuse)(scene.sun.towards).map(|r| r.0);
             light = plus(light, throughput, sunlight(scene, origin, reflected));
-            (_, direction) = diffuse(normal, place, bounce);
+            (direction, _) = diffuse(normal, place, bounce);
             throughput = core::array::from_fn(|i| throughput[i] * material.diffuse[i]);
         }
         ray = Ray { origin, direction };

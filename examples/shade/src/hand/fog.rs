@@ -3,7 +3,8 @@
 use super::lamp::lambertian;
 use super::open_sky::diffuse;
 use super::{filtered, is_clear, nearest, pinhole, plus, surface, words};
-use shade_core::{Effect, Number, Place, Ray, Scene, Target, Vector};
+use coslobe::uniform;
+use shade_core::{Effect, Place, Ray, Scene, Target, Vector};
 
 type Space = Scene<[f32; 3]>;
 
@@ -37,7 +38,7 @@ pub fn fog(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
         let (near, length) = fog.region.span(&ray, hit.t);
         let mut no_meter = ();
         let mut distance = words(place, bounce, Effect::Scattering, &mut no_meter);
-        let depth = -libm::logf(<f32 as Number>::tails(&mut distance).lower());
+        let depth = -libm::logf(uniform::tails::<f32, _>(&mut distance).lower());
         let is_scattered = depth < fog.scattering * length;
         let length = if is_scattered {
             depth / fog.scattering
@@ -74,7 +75,7 @@ pub fn fog(scene: &Space, at: (u16, u16), place: Place) -> [f32; 3] {
         throughput = core::array::from_fn(|i| throughput[i] * material.diffuse[i]);
         ray = Ray {
             origin,
-            direction: diffuse(normal, place, bounce).1,
+            direction: diffuse(normal, place, bounce).direction,
         };
     }
     light

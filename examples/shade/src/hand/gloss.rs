@@ -3,7 +3,7 @@
 use super::lamp::{direct, met};
 use super::open_sky::{diffuse, sky};
 use super::{filtered, nearest, pinhole, plus, surface, words};
-use coslobe::{Lambert, Law};
+use coslobe::Sample;
 use shade_core::{Effect, Place, Ray, Sampling, Scene, Target, Vector};
 
 #[inline(always)]
@@ -37,20 +37,20 @@ pub fn gloss(scene: &Scene<[f32; 3]>, at: (u16, u16), place: Place) -> [f32; 3] 
             light = plus(light, throughput, direct(scene, origin, reflected, when));
             let mut no_meter = ();
             let mut words = words(place, bounce, Effect::Gloss, &mut no_meter);
-            let at;
-            (at, direction) = material.lobe.draw(mirror, &mut words);
+            (direction, _, density) = material.lobe.draw(mirror, &mut words);
             let cos = normal.dot(direction);
             if !(cos > 0.0) {
                 break;
             }
-            density = material.lobe.density_at(at);
             throughput = core::array::from_fn(|i| throughput[i] * (material.gloss[i] * cos));
         } else {
             let reflected = super::lamp::lambertian(normal, material.diffuse);
             light = plus(light, throughput, direct(scene, origin, reflected, when));
-            let at;
-            (at, direction) = diffuse(normal, place, bounce);
-            density = Lambert.density(at);
+            Sample {
+                direction,
+                density,
+                ..
+            } = diffuse(normal, place, bounce);
             throughput = core::array::from_fn(|i| throughput[i] * material.diffuse[i]);
         }
         ray = Ray { origin, direction };

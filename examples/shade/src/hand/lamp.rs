@@ -2,7 +2,7 @@
 
 use super::open_sky::diffuse;
 use super::{filtered, is_clear, nearest, pinhole, plus, surface, words};
-use coslobe::{CosSin, Lambert, Law, balance_heuristic};
+use coslobe::{CosSin, Lambert, Law, Sample, balance_heuristic};
 use shade_core::{Effect, Place, Ray, Scene, Target, Vector};
 
 type Space = Scene<[f32; 3]>;
@@ -104,8 +104,12 @@ fn bounces(scene: &Space, at: (u16, u16), place: Place, limit: u32) -> [f32; 3] 
             (place, bounce),
         );
         light = plus(light, throughput, shine);
-        let (at, direction) = diffuse(normal, place, bounce);
-        density = Lambert.density(at);
+        let direction;
+        Sample {
+            direction,
+            density,
+            ..
+        } = diffuse(normal, place, bounce);
         throughput = core::array::from_fn(|i| throughput[i] * material.diffuse[i]);
         ray = Ray { origin, direction };
     }

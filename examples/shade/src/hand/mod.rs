@@ -21,7 +21,8 @@ pub use hard_shadow::hard_shadow;
 pub use lamp::{interior, soft_shadow};
 pub use open_sky::{furnace, gradient};
 
-use shade_core::{Effect, Hit, Material, Place, Ray, Scene, Stream, Target, Vector, Words};
+use coslobe::rand_core::Rng;
+use shade_core::{Effect, Hit, Material, Place, Ray, Scene, Stream, Target, Vector};
 
 /// The words of an effect.
 #[inline(always)]
@@ -43,7 +44,7 @@ fn middle<V: Vector<T = f32>>(scene: &Scene<V>, (x, y): (u16, u16)) -> (f32, f32
 /// A point of the pixel in the image plane.
 #[inline(always)]
 fn filtered<V: Vector<T = f32>>(scene: &Scene<V>, at: (u16, u16), place: Place) -> (f32, f32) {
-    let word = words(place, 0, Effect::Filter, &mut ()).word();
+    let word = words(place, 0, Effect::Filter, &mut ()).next_u32();
     let part = |n: u32| (f32::from(n as u16 as i16) + 0.5) * (1.0 / 65536.0) * scene.camera.filter;
     let (x, y) = middle(scene, at);
     (x + part(word), y + part(word >> 16))

@@ -1,8 +1,8 @@
 //! Diffuse surfaces under a sky, one bounce.
 
 use super::{filtered, middle, nearest, pinhole, plus, surface, words};
-use coslobe::{CosSin, Frame, Lambert, Law};
-use shade_core::{Effect, Hit, Number, Place, Ray, Scene, Target, Vector};
+use coslobe::{Lambert, Sample, Spatial};
+use shade_core::{Effect, Hit, Place, Ray, Scene, Target, Vector};
 
 type Space = Scene<[f32; 3]>;
 
@@ -13,15 +13,10 @@ pub(super) fn sky<V: Vector<T = f32>>(scene: &Scene<V>, d: V) -> [f32; 3] {
     core::array::from_fn(|i| sky.nadir[i] + (sky.zenith[i] - sky.nadir[i]) * height)
 }
 
-/// (its angle, a direction) by Lambert's law.
+/// A direction by Lambert's law, with its density.
 #[inline(always)]
-pub(super) fn diffuse(normal: [f32; 3], place: Place, bounce: u32) -> (CosSin<f32>, [f32; 3]) {
-    let mut no_meter = ();
-    let mut words = words(place, bounce, Effect::Diffuse, &mut no_meter);
-    let at = Lambert.warp_tails(<f32 as Number>::tails(&mut words));
-    let azimuth = <f32 as Number>::azimuth(&mut words);
-    let local = [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin];
-    (at, Frame::from_unit(normal).to_world(local))
+pub(super) fn diffuse(normal: [f32; 3], place: Place, bounce: u32) -> Sample<f32, 3> {
+    Lambert.sample_around_with_density(normal, &mut words(place, bounce, Effect::Diffuse, &mut ()))
 }
 
 #[inline(always)]
@@ -35,7 +30,7 @@ fn one_bounce(scene: &Space, ray: &Ray<[f32; 3]>, hit: Hit<f32>, place: Place) -
     };
     let on = Ray {
         origin,
-        direction: diffuse(normal, place, 0).1,
+        direction: diffuse(normal, place, 0).direction,
     };
     if nearest(scene, &on).target == Target::NONE {
         plus(black, material.diffuse, sky(scene, on.direction))

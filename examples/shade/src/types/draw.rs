@@ -32,7 +32,7 @@ pub(super) fn passes<T: shade_core::Number>(
     let e = Asked(set);
     let (width, height) = (scene.camera.width, scene.camera.height);
     let of_pixel = |x: u16, y: u16| -> Vec<[f64; 3]> {
-        let meter = &mut Aligned;
+        let meter = &mut Aligned::<T>::default();
         let aim = Aim::new(scene, e, (x, y), meter);
         let mut sums = Pixel::<T>::default();
         let mut means = Vec::with_capacity(counts.len());

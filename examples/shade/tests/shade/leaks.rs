@@ -23,10 +23,10 @@ fn leaks<V: Vector>(mut scene: Scene<V>, own: V::Law, samples: u32) -> usize {
         .count()
 }
 
-const FAR: [f64; 3] = [3000.1, -2100.0, 930.0];
+pub(crate) const FAR: [f64; 3] = [3000.1, -2100.0, 930.0];
 
 /// A room of six plates.
-fn room<T: Number>(tilt: [f64; 2], offset: [f64; 3], half: [f64; 3]) -> Scene<[T; 3]> {
+pub(crate) fn room<T: Number>(tilt: [f64; 2], offset: [f64; 3], half: [f64; 3]) -> Scene<[T; 3]> {
     let axes = turned(tilt);
     let mut scene = Scene::<[T; 3]>::new(camera(&offset, &[0.0, 0.0, -1.0]));
     view(&mut scene, &offset, &[0.0, 0.0, -1.0], 0.2);

@@ -3,6 +3,7 @@
 
 mod bad_scenes;
 mod contact;
+mod corners;
 mod effects;
 mod fog;
 mod form_factors;

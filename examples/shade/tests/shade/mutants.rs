@@ -1,8 +1,9 @@
 //! Planted faults: laws and worlds that are wrong in one place.
 
 use crate::stage::v;
-use coslobe::{CosPower, CosSin, Lambert};
-use shade_core::{AnySpatial, Sampling, Vector, Words};
+use coslobe::rand_core::Rng;
+use coslobe::{CosPower, CosSin, Lambert, Law};
+use shade_core::{AnySpatial, Sampling, Vector};
 
 /// Lambert's law, wrong in one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,20 +21,14 @@ pub(crate) enum Spoiled {
 type Space = [f64; 3];
 
 impl Sampling<Space> for Spoiled {
-    fn draw<R: Words>(&self, axis: Space, rng: &mut R) -> (CosSin<f64>, Space) {
-        match self {
+    fn draw<R: Rng>(&self, axis: Space, rng: &mut R) -> (Space, CosSin<f64>, f64) {
+        let (d, at, _) = match self {
             Spoiled::CosineDropped => CosPower::new(0.0).expect("0").draw(axis, rng),
             Spoiled::WrongExponent => CosPower::new(2.0).expect("2").draw(axis, rng),
             _ => Lambert.draw(axis, rng),
-        }
-    }
-    fn density_at(&self, at: CosSin<f64>) -> f64 {
-        let density = Sampling::<Space>::density_at(&Lambert, at);
-        if *self == Spoiled::WrongDensity {
-            2.0 * density
-        } else {
-            density
-        }
+        };
+        let times = f64::from(1 + u8::from(*self == Spoiled::WrongDensity));
+        (d, at, times * Lambert.density(at))
     }
     fn density_of(&self, axis: Space, d: Space) -> f64 {
         Lambert.density_of(axis, d)
@@ -67,16 +62,16 @@ impl Vector for Askew {
     fn isotropic_density() -> f64 {
         Space::isotropic_density()
     }
-    fn isotropic<R: Words>(rng: &mut R) -> Self {
+    fn isotropic<R: Rng>(rng: &mut R) -> Self {
         Askew(Space::isotropic(rng))
     }
-    fn around<R: Words>(self, at: CosSin<f64>, rng: &mut R) -> Self {
+    fn around<R: Rng>(self, at: CosSin<f64>, rng: &mut R) -> Self {
         Askew(self.0.around(at, rng))
     }
     fn diffuse_density(cos: f64) -> f64 {
         Space::diffuse_density(cos)
     }
-    fn cone<R: Words>(s2: f64, rng: &mut R) -> (CosSin<f64>, f64) {
+    fn cone<R: Rng>(s2: f64, rng: &mut R) -> (CosSin<f64>, f64) {
         (Space::cone(s2, rng).0, 1.0 / (core::f64::consts::PI * s2))
     }
     fn cone_density(s2: f64, cos: f64) -> f64 {
@@ -89,12 +84,9 @@ impl Vector for Askew {
 pub(crate) struct Plain;
 
 impl Sampling<Askew> for Plain {
-    fn draw<R: Words>(&self, axis: Askew, rng: &mut R) -> (CosSin<f64>, Askew) {
-        let (at, d) = AnySpatial::Lambert.draw(axis.0, rng);
-        (at, Askew(d))
-    }
-    fn density_at(&self, at: CosSin<f64>) -> f64 {
-        Sampling::<Space>::density_at(&Lambert, at)
+    fn draw<R: Rng>(&self, axis: Askew, rng: &mut R) -> (Askew, CosSin<f64>, f64) {
+        let (d, at, density) = AnySpatial::Lambert.draw(axis.0, rng);
+        (Askew(d), at, density)
     }
     fn density_of(&self, axis: Askew, d: Askew) -> f64 {
         Lambert.density_of(axis.0, d.0)

@@ -1,12 +1,13 @@
 //! The random words by counting: even, and without a tie between neighbours.
 
-use shade_core::{Effect, Place, Stream, Words};
+use coslobe::rand_core::Rng;
+use shade_core::{Effect, Place, Stream};
 
 /// Words at neighbouring places along one coordinate of the counter.
 fn along(f: impl Fn(u32) -> (Place, u32, Effect)) -> Vec<u32> {
     let words = (0..1 << 14).map(|i| {
         let (place, bounce, effect) = f(i);
-        Stream::new(place, bounce, effect, 0, &mut ()).word()
+        Stream::new(place, bounce, effect, 0, &mut ()).next_u32()
     });
     words.collect()
 }
@@ -72,7 +73,7 @@ fn streams_differ() {
                 let mut stream = Stream::new(place, bounce, effect, part, &mut meter);
                 // Two blocks of four words.
                 for _ in 0..4 {
-                    assert!(seen.insert(stream.long()), "{effect:?} {bounce} {part}");
+                    assert!(seen.insert(stream.next_u64()), "{effect:?} {bounce} {part}");
                 }
             }
         }

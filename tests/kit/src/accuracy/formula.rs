@@ -59,6 +59,7 @@ impl<W: Wide> Formula<W> {
             Id::CircleShell | Id::Lambert => c * self.scale,
             Id::Disk | Id::SphereShell => c * c * self.scale,
             Id::Ball => c * c * c * self.scale,
+            Id::CosPower(k) if k > 0.0 && c == W::default() => c,
             // One exponential, so that a large factor and a small power meet without underflow.
             Id::CosPower(_) => (self.ln_scale + self.ln_power(at)).exp(),
         }
@@ -101,6 +102,7 @@ impl<W: Wide> Formula<W> {
             Id::Ball => return (s * s * (one + c2), c2 * c2),
             Id::SphereShell => return (s * s * (one + c + c2) / (one + c), c2 * c),
             Id::Lambert => return (s * s, c2),
+            Id::CosPower(_) if c == W::default() => return (one, c),
             Id::CosPower(_) => {
                 // For tiny θ in an order that does not underflow before its value does.
                 let a = if s.near() < 1e-40 {
@@ -125,6 +127,13 @@ impl<W: Wide> Formula<W> {
             Id::CircleArc => self.weight * c,
             Id::Disk | Id::SphereShell => self.weight / c,
             Id::Ball => self.weight / c / c, // c² would underflow before the weight overflows
+            Id::CosPower(k) if c == W::default() => {
+                if k < 1.0 {
+                    c
+                } else {
+                    self.weight
+                }
+            }
             Id::CosPower(_) => {
                 let log = self.weight.ln() + (W::of(1.0) - self.k) * at.ln_cos();
                 if log.near() > 709.8 {

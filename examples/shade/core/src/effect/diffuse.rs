@@ -38,15 +38,11 @@ impl<V: Vector> Diffuse<V> {
         meter.run(Effect::Diffuse);
         meter.ray(Effect::Diffuse);
         let mut words = Stream::new(place, bounce, Effect::Diffuse, 0, meter);
-        let (at, direction) = law.draw(self.normal, &mut words);
+        let (direction, at, density) = law.draw(self.normal, &mut words);
         Onward {
             direction,
             weight: dim(self.albedo, law.diffuse_weight(at)),
-            density: if with_density {
-                law.density_at(at)
-            } else {
-                infinity()
-            },
+            density: if with_density { density } else { infinity() },
         }
     }
 }

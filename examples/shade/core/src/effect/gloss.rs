@@ -46,16 +46,12 @@ impl<V: Vector> Gloss<'_, V> {
         meter.ray(Effect::Gloss);
         let lobe = &self.material.lobe;
         let mut words = Stream::new(place, bounce, Effect::Gloss, 0, meter);
-        let (at, direction) = lobe.draw(self.mirror, &mut words);
+        let (direction, _, density) = lobe.draw(self.mirror, &mut words);
         let cos = self.normal.dot(direction);
         (cos > zero()).then(|| Onward {
             direction,
             weight: dim(self.material.gloss, cos),
-            density: if with_density {
-                lobe.density_at(at)
-            } else {
-                infinity()
-            },
+            density: if with_density { density } else { infinity() },
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Depth of field: a thin lens.
 
-use crate::{Effect, Meter, Number, Place, Stream, Vector};
-use coslobe::{Lambert, Law};
+use crate::{Effect, Meter, Place, Stream, Vector};
+use coslobe::{Lambert, Spatial};
 
 /// A uniform point of the unit disk: the foot of a direction of Lambert's law (Nusselt's projection), which
 /// costs 40 % less than the semicircle law's abscissa and a uniform ordinate on its chord.
@@ -9,7 +9,6 @@ use coslobe::{Lambert, Law};
 pub fn through_lens<V: Vector, M: Meter>(place: Place, meter: &mut M) -> [V::T; 2] {
     meter.run(Effect::Lens);
     let mut words = Stream::new(place, 0, Effect::Lens, 0, meter);
-    let at = Lambert.warp_tails(V::T::tails(&mut words));
-    let azimuth = V::T::azimuth(&mut words);
-    [at.sin * azimuth.cos, at.sin * azimuth.sin]
+    let [x, _, z] = Spatial::<V::T>::sample(&Lambert, &mut words);
+    [x, z]
 }

@@ -3,6 +3,7 @@
 use super::{Fog, Onward};
 use crate::scalar::one;
 use crate::{Effect, Meter, Number, Place, Stream, Vector};
+use coslobe::uniform;
 
 /// The length of fog up to the point where the ray is scattered, if that is less than `length`: the optical
 /// depth −ln u is exponential.
@@ -16,7 +17,7 @@ pub fn scattered_at<V: Vector, M: Meter>(
 ) -> Option<V::T> {
     meter.run(Effect::Scattering);
     let mut words = Stream::new(place, bounce, Effect::Scattering, 0, meter);
-    let depth = -V::T::tails(&mut words).lower().ln();
+    let depth = -uniform::tails::<V::T, _>(&mut words).lower().ln();
     (depth < fog.scattering * length).then(|| depth / fog.scattering)
 }
 
