@@ -3,7 +3,7 @@
 use crate::Number;
 use ::fixed::types::{I1F15, I1F31, U0F32, U16F16};
 use core::fmt::{self, Debug};
-use coslobe::fixed::{self as integers, Fixed16Law, FixedLaw};
+use coslobe::fixed::{self as integers, Fixed16Law, Fixed16Spatial, FixedLaw, FixedSpatial};
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, Disk, Fast, Lambert, Moments, PlanarPoint, Precise,
     Spatial, SpatialPoint, SphereShell,
@@ -247,6 +247,10 @@ impl<L> IntegerLaw for L where
 pub trait IntegerVisitor {
     /// A law without a parameter.
     fn law<L: IntegerLaw>(&mut self, law: L);
+    /// One of space.
+    fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
+        self.law(law);
+    }
     /// `CosPower`, which has 32 bits alone, with the exponent nearest to [`EXPONENT`].
     fn power(&mut self, _: integers::CosPower) {}
 }
@@ -256,9 +260,9 @@ pub fn every_integer_law(visitor: &mut impl IntegerVisitor) {
     visitor.law(Disk);
     visitor.law(CircleShell);
     visitor.law(CircleArc);
-    visitor.law(Ball);
-    visitor.law(SphereShell);
-    visitor.law(Lambert);
+    visitor.spatial(Ball);
+    visitor.spatial(SphereShell);
+    visitor.spatial(Lambert);
     visitor.power(power());
 }
 
