@@ -1,70 +1,42 @@
-//! The promises of every law, for any exponent.
+//! `CosPower`: which exponents it takes, its moments, and each law's own type at its exponent.
 
-use super::input::{Words, both, pair_at, unit};
+use super::input::Input;
 use super::measure::{assert_close, context};
-use super::{densities, quantiles, samples, warps};
 use coslobe::{CosPower, CosSin, ExponentError, Law, Spatial};
-use kit::catalogue::{every_law, every_number};
+use kit::catalogue::{every_number, one_law};
 use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 /// A law of its own type against `CosPower` at its exponent.
 const AGREE_ULP: f64 = 8.0;
-/// `f32` against the same formula in `f64`: the plain tier's bound.
-const REFERENCE_ULP: f64 = 4.0;
 
-/// Words: k; θ or cos θ; sin θ or a probability; a second one. The whole input is the generator.
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
-    let mut words = Words::new(data);
-    let ks = both::<f32>(words.word(), 0.0, 1e4);
-    let thetas = both::<f32>(words.word(), 0.0, FRAC_PI_2);
-    for law in ks.into_iter().filter_map(law) {
-        for theta in thetas {
-            reference(&law, theta);
-        }
-    }
+pub(super) fn check(input: Input) {
+    every_number(&mut Chosen(input.number_type(5), Some(input)));
 }
 
-struct Check<'a>(&'a [u8]);
+struct Chosen<'a>(usize, Option<Input<'a>>);
 
-impl NumberVisitor for Check<'_> {
+impl NumberVisitor for Chosen<'_> {
     fn number<T: Number>(&mut self) {
-        all::<T>(self.0);
+        if self.0 > 0 {
+            self.0 -= 1;
+        } else if let Some(mut input) = self.1.take() {
+            match input.law::<T>() {
+                Id::CosPower(k) => exponent(T::of(k)),
+                law => {
+                    let theta = input.number::<T>(0.0, FRAC_PI_2);
+                    let at = input.direction::<T>();
+                    if theta.nan() || at.sin.nan() {
+                        return;
+                    }
+                    one_law(law, &mut Own { at, theta });
+                }
+            }
+        }
     }
 }
 
-fn all<T: Number>(data: &[u8]) {
-    let mut words = Words::new(data);
-    let [bits, even] = both::<T>(words.word(), 0.0, 64.0);
-    let (a, b, c) = (words.word(), words.word(), words.word());
-    for k in [bits, even] {
-        let Some(law) = law(k) else { continue };
-        for theta in both::<T>(a, -0.1, 1.6) {
-            densities::spatial(&law, theta, false);
-        }
-        let any = CosSin {
-            cos: T::of_bits(a),
-            sin: T::of_bits(b),
-        };
-        let angle = FRAC_PI_2 * unit::<T>(b).wide();
-        for at in [any, pair_at(angle), pair_at(-angle)] {
-            densities::spatial_pair(&law, at);
-        }
-        let (p, q) = (both::<T>(b, 0.0, 1.0), both::<T>(c, 0.0, 1.0));
-        for (p, q) in [(p[0], q[0]), (p[1], q[1]), (p[0], q[1])] {
-            quantiles::spatial(&law, p, q);
-            warps::spatial(&law, p, q);
-        }
-        samples::spatial(&law, data);
-        moments(&law);
-    }
-    let angle = FRAC_PI_2 * unit::<T>(a).wide();
-    let (at, theta) = (pair_at(angle), T::of(angle));
-    every_law::<T>(&mut Own { at, theta }, &[]);
-}
-
-/// A law of its own type, at a direction and its angle.
+/// A law of its own type, at a direction and at an angle.
 struct Own<T> {
     at: CosSin<T>,
     theta: T,
@@ -77,33 +49,8 @@ impl<T: Number> LawVisitor<T> for Own<T> {
     }
 }
 
-/// `f32` against the formula in `f64`, whose 29 more bits outlast any k that leaves cosᵏθ normal.
-fn reference(law: &CosPower<f32>, theta: f32) {
-    let (k, x) = (law.exponent().wide(), theta.wide());
-    if !(x >= 0.0 && theta <= <f32 as Number>::END) {
-        return;
-    }
-    let ln_cos = if x < 0.5 {
-        (-x.sin() * x.sin()).ln_1p() / 2.0
-    } else {
-        x.cos().ln()
-    };
-    let density = (k + 1.0) / TAU * (k * ln_cos).exp();
-    let pairs = [
-        (law.pdf_solid_angle(theta), density),
-        (law.pdf(theta), density * x.sin()),
-        (law.sf(theta), ((k + 1.0) * ln_cos).exp()),
-        (law.cdf(theta), -((k + 1.0) * ln_cos).exp_m1()),
-    ];
-    for (value, exact) in pairs {
-        if exact >= f32::SMALLEST.wide() {
-            assert_close::<f32>(value.wide(), exact, REFERENCE_ULP, "CosPower against f64");
-        }
-    }
-}
-
 /// CosPower::new takes exactly what it says.
-fn law<T: Number>(k: T) -> Option<CosPower<T>> {
+fn exponent<T: Number>(k: T) {
     let x = k.wide();
     let expected = if x.is_nan() {
         Err(ExponentError::NotANumber)
@@ -116,7 +63,9 @@ fn law<T: Number>(k: T) -> Option<CosPower<T>> {
     };
     let law = CosPower::new(k);
     assert_eq!(law.map(|law| law.exponent().wide()), expected);
-    law.ok()
+    if let Ok(law) = law {
+        moments(&law);
+    }
 }
 
 /// Finite, and in the ranges that any direction above the horizon keeps to.

@@ -1,11 +1,11 @@
 //! Densities and distribution functions, at any bits.
 
-use super::input::{Words, both, pair_at, unit};
+use super::input::Input;
 use super::measure::{assert_close, assert_positive_or_zero, context};
 use coslobe::{CosSin, Law, Planar, Spatial};
-use kit::catalogue::{every_law, every_number};
-use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
-use std::f64::consts::{FRAC_PI_2, PI};
+use kit::catalogue::one_law;
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
+use std::f64::consts::PI;
 
 /// ln p against the logarithm of p, in ulp of 1 + |ln p|, and so e^(ln p) against p.
 const LN_ULP: f64 = 8.0;
@@ -21,32 +21,18 @@ const LONGEST: f64 = 1.0;
 /// lambert_weight · density against cos θ/π (3D) or cos θ/2 (2D), the definition of the weight.
 const WEIGHT_ULP: f64 = 12.0;
 
-/// Words: θ, or a pair's cos; its sin.
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
+/// At an angle.
+pub(super) fn at_angle<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let theta = input.number::<T>(-1.6, 1.6);
+    one_law(law, &mut Theta(theta));
 }
 
-struct Check<'a>(&'a [u8]);
-
-impl NumberVisitor for Check<'_> {
-    fn number<T: Number>(&mut self) {
-        all::<T>(Words::new(self.0));
-    }
-}
-
-fn all<T: Number>(mut words: Words) {
-    let (a, b) = (words.word(), words.word());
-    for theta in both::<T>(a, -1.6, 1.6) {
-        every_law(&mut Theta(theta), &[]);
-    }
-    let at = CosSin {
-        cos: T::of_bits(a),
-        sin: T::of_bits(b),
-    };
-    let angle = FRAC_PI_2 * unit::<T>(a).wide();
-    for at in [at, pair_at(angle), pair_at(-angle)] {
-        every_law(&mut Pair(at), &[]);
-    }
+/// At a pair, of unit length or not.
+pub(super) fn at_pair<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let at = input.pair::<T>();
+    one_law(law, &mut Pair(at));
 }
 
 struct Theta<T>(T);
@@ -55,8 +41,8 @@ impl<T: Number> LawVisitor<T> for Theta<T> {
     fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
         planar(&law, self.0);
     }
-    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
-        spatial(&law, self.0, true);
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        spatial(&law, self.0, !matches!(id, Id::CosPower(_)));
     }
 }
 
@@ -89,7 +75,7 @@ fn planar<T: Number, L: Planar<T>>(law: &L, theta: T) {
 }
 
 /// `strict`: the density itself cannot underflow, whatever θ.
-pub fn spatial<T: Number, L: Spatial<T>>(law: &L, theta: T, strict: bool) {
+fn spatial<T: Number, L: Spatial<T>>(law: &L, theta: T, strict: bool) {
     let _context = context::<T, L>();
     let inside = theta.wide() >= 0.0 && theta <= T::END;
     line(law, theta, inside, strict);
@@ -166,7 +152,7 @@ fn planar_pair<T: Number, L: Planar<T>>(law: &L, at: CosSin<T>) {
     pair(law, at, at.cos.wide() >= 0.0, 0.5);
 }
 
-pub fn spatial_pair<T: Number, L: Spatial<T>>(law: &L, at: CosSin<T>) {
+fn spatial_pair<T: Number, L: Spatial<T>>(law: &L, at: CosSin<T>) {
     pair(
         law,
         at,

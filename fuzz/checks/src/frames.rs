@@ -1,40 +1,21 @@
 //! Frames around any vector.
 
-use super::input::{Words, both};
+use super::input::Input;
 use super::measure::assert_unit;
 use coslobe::{Frame, Lambert, NormalError, Spatial};
-use kit::catalogue::every_number;
-use kit::{Number, NumberVisitor};
+use kit::Number;
 
 /// Axes from `Frame::new`, whose normal is itself rounded: lengths and dot products, in ulp of 1.
 const AXES_ULP: f64 = 8.0;
 /// to_local(to_world(d)) against a unit vector d, per component in ulp of 1.
 const ROUND_TRIP_ULP: f64 = 16.0;
 
-/// Words: x, y, z of the normal; then the generator of a direction.
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
-}
-
-struct Check<'a>(&'a [u8]);
-
-impl NumberVisitor for Check<'_> {
-    fn number<T: Number>(&mut self) {
-        all::<T>(Words::new(self.0));
-    }
-}
-
-fn all<T: Number>(mut words: Words) {
-    let sides = [words.word(), words.word(), words.word()].map(|w| both::<T>(w, -1.0, 1.0));
-    let [x, y, z] = sides;
-    for normal in [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[0], y[1], z[0]]] {
-        frame(normal, words.clone());
-    }
+/// Around any vector, with a direction drawn in it.
+pub(super) fn frame<T: Number>(mut input: Input) {
+    let normal: [T; 3] = std::array::from_fn(|_| input.number(-1.0, 1.0));
+    let mut words = input.words.uncounted();
     // No promise for a vector of any length but that it does not panic.
-    let _ = Frame::from_unit(sides.map(|s| s[0])).to_world(sides.map(|s| s[1]));
-}
-
-fn frame<T: Number>(normal: [T; 3], mut words: Words) {
+    let _ = Frame::from_unit(normal).to_world(normal);
     let wide = normal.map(T::wide);
     let expected = if wide.iter().any(|c| !c.is_finite()) {
         Some(NormalError::NotFinite)

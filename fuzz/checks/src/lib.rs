@@ -3,16 +3,19 @@
 //! The fuzz targets call them, and `tests/replay.rs`, so that every committed seed is also replayed on stable by
 //! `cargo test`.
 
-pub mod cos_power;
-pub mod densities;
-pub mod fixed;
-pub mod frames;
-pub mod points;
-pub mod quantiles;
-pub mod samples;
+pub mod floats;
+pub mod integers;
+#[cfg(feature = "scene")]
 pub mod scene;
-pub mod warps;
-pub mod weights;
 
+mod cos_power;
+mod densities;
+mod frames;
 mod input;
+mod judged;
 mod measure;
+mod points;
+mod quantiles;
+mod samples;
+mod warps;
+mod weights;

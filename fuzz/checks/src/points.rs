@@ -1,51 +1,33 @@
 //! Points of the disk, circle, ball and sphere, at any radius.
 
-use super::input::{Words, both, pair_at, unit};
+use super::input::{Input, Words};
 use super::measure::{assert_positive_or_zero, context};
 use super::samples::of_direction;
 use coslobe::{CosSin, Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
-use kit::catalogue::{every_law, every_number};
-use kit::{Drawn, Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw, TangentLaw};
-use std::f64::consts::FRAC_PI_2;
+use kit::catalogue::one_law;
+use kit::{Drawn, Id, LawVisitor, Number, PlanarLaw, SpatialLaw, TangentLaw};
 
 /// ln_point_density against the logarithm of point_density, in ulp of its largest term: 3 ln ρ.
 const LN_ULP: f64 = 8.0;
 /// The point's own length against 2ρ cos θ, which it must not pass by more than rounding.
 const LENGTH_ULP: f64 = 4.0;
 
-/// Words: ρ; cos θ or θ; sin θ; r; then the generator.
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
-}
-
-struct Check<'a>(&'a [u8]);
-
-impl NumberVisitor for Check<'_> {
-    fn number<T: Number>(&mut self) {
-        all::<T>(Words::new(self.0));
-    }
-}
-
-fn all<T: Number>(mut words: Words) {
-    let [bits, even] = both::<T>(words.word(), 0.0, 4.0);
-    let (a, b, r) = (words.word(), words.word(), T::of_bits(words.word()));
-    let any = CosSin {
-        cos: T::of_bits(a),
-        sin: T::of_bits(b),
+/// Of a point in any direction and at any distance.
+pub(super) fn densities<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let Some(rho) = radius::<T>(input.number(0.0, 4.0)) else {
+        return;
     };
-    let unit = pair_at(FRAC_PI_2 * unit::<T>(a).wide());
-    for rho in [bits, even].into_iter().filter_map(radius) {
-        for at in [
-            any,
-            unit,
-            CosSin {
-                cos: unit.sin,
-                sin: unit.cos,
-            },
-        ] {
-            every_law(&mut Densities { rho, at, r }, &[]);
-        }
-        every_law(&mut Points { rho, words: &words }, &[]);
+    let (at, r) = (input.pair(), input.number(0.0, 8.0));
+    one_law(law, &mut Densities { rho, at, r });
+}
+
+/// Points drawn, with their densities.
+pub(super) fn draws<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    if let Some(rho) = radius::<T>(input.number(0.0, 4.0)) {
+        let words = &input.words;
+        one_law(law, &mut Points { rho, words });
     }
 }
 
@@ -164,8 +146,7 @@ fn drawn<T: Number, L: Tangent<T>>(law: &L, rho: Radius<T>, at: CosSin<T>, words
 
 fn planar<T: Number, L: PlanarPoint<T>>(law: &L, rho: Radius<T>, words: &Words) {
     let _context = context::<T, L>();
-    let mut words = words.clone();
-    words.drawn = (0, 0);
+    let mut words = words.uncounted();
     let [x, y] = law.sample_point(rho, &mut words);
     assert_drawn::<T, L>(T::TAIL_WORDS, words.drawn);
     assert_point(rho, [x.wide(), y.wide(), 0.0]);
@@ -175,8 +156,7 @@ fn planar<T: Number, L: PlanarPoint<T>>(law: &L, rho: Radius<T>, words: &Words) 
 
 fn spatial<T: Number, L: SpatialPoint<T>>(law: &L, rho: Radius<T>, words: &Words) {
     let _context = context::<T, L>();
-    let mut words = words.clone();
-    words.drawn = (0, 0);
+    let mut words = words.uncounted();
     let point = law.sample_point(rho, &mut words);
     assert_drawn::<T, L>(of_direction::<T>(), words.drawn);
     assert_point(rho, point.map(T::wide));

@@ -1,10 +1,10 @@
 //! Quantiles against their distribution functions, at any bits.
 
-use super::input::{Words, both};
+use super::input::Input;
 use super::measure::{assert_close, context};
-use coslobe::{Law, Planar, Spatial, Tails};
-use kit::catalogue::{every_law, every_number};
-use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
+use coslobe::{Law, Tails};
+use kit::catalogue::one_law;
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 
 /// F(q − so many ulp) ≤ p ≤ F(q + so many): the plain tier's bound for a quantile.
 const BRACKET_STEPS: u32 = 4;
@@ -16,89 +16,110 @@ const ROUND_TRIP_ULP: f64 = 12.0;
 /// A quantile may fall by its own rounding, in ulp of the larger angle, where p rises.
 const ORDER_ULP: f64 = 4.0;
 
-/// Words: two probabilities.
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
+/// F(quantile(p)) = p within a bracket, and the same from the upper tail.
+pub(super) fn brackets<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let p = input.number::<T>(0.0, 1.0);
+    one_law(law, &mut Brackets(p));
 }
 
-struct Check<'a>(&'a [u8]);
-
-impl NumberVisitor for Check<'_> {
-    fn number<T: Number>(&mut self) {
-        all::<T>(Words::new(self.0));
+/// Of two probabilities, far apart or beside each other.
+pub(super) fn order<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let a: T = input.number(0.0, 1.0);
+    let b = if input.flag() {
+        a.above()
+    } else {
+        input.number(0.0, 1.0)
+    };
+    if domain(a) && domain(b) {
+        let (low, high) = if a <= b { (a, b) } else { (b, a) };
+        one_law(law, &mut Order(low, high));
     }
 }
 
-fn all<T: Number>(mut words: Words) {
-    let a = both::<T>(words.word(), 0.0, 1.0);
-    let b = both::<T>(words.word(), 0.0, 1.0);
-    for (a, b) in [
-        (a[0], b[0]),
-        (a[1], b[1]),
-        (a[0], a[1]),
-        (a[1], a[1].above()),
-    ] {
-        every_law(&mut Probabilities(a, b), &[]);
+/// To a direction and back, from either tail.
+pub(super) fn round_trips<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let p: T = input.number(0.0, 1.0);
+    if domain(p) {
+        one_law(law, &mut RoundTrips(p));
     }
 }
 
-struct Probabilities<T>(T, T);
+fn domain<T: Number>(p: T) -> bool {
+    p.wide() >= 0.0 && p.wide() <= 1.0
+}
 
-impl<T: Number> LawVisitor<T> for Probabilities<T> {
+struct Brackets<T>(T);
+
+impl<T: Number> LawVisitor<T> for Brackets<T> {
     fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
-        planar(&law, self.0, self.1);
+        bracketed(&law, self.0, -T::END);
+        let (q, mirrored) = (law.quantile(self.0), law.isf(self.0));
+        // At p = ½ both are +0.
+        let zeros = q.wide() == 0.0 && mirrored.wide() == 0.0;
+        assert!(
+            q.nan() || zeros || q.bits() == (-mirrored).bits(),
+            "quantile({:?}) = {q:?}, isf = {mirrored:?}",
+            self.0
+        );
     }
     fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
-        spatial(&law, self.0, self.1);
+        bracketed(&law, self.0, T::of(0.0));
     }
 }
 
-fn planar<T: Number, L: Planar<T>>(law: &L, a: T, b: T) {
+struct Order<T>(T, T);
+
+impl<T: Number> LawVisitor<T> for Order<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        ordered_by(&law, self.0, self.1);
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        ordered_by(&law, self.0, self.1);
+    }
+}
+
+struct RoundTrips<T>(T);
+
+impl<T: Number> LawVisitor<T> for RoundTrips<T> {
+    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
+        round_trip(&law, Tails::from_lower(self.0));
+        round_trip(&law, Tails::from_upper(self.0));
+    }
+    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
+        round_trip(&law, Tails::from_lower(self.0));
+        round_trip(&law, Tails::from_upper(self.0));
+    }
+}
+
+fn bracketed<T: Number, L: Law<T>>(law: &L, p: T, start: T) {
     let _context = context::<T, L>();
-    line(law, a, b, -T::END);
-    let (q, mirrored) = (law.quantile(a), law.isf(a));
-    // At p = ½ both are +0.
-    let zeros = q.wide() == 0.0 && mirrored.wide() == 0.0;
-    assert!(
-        q.nan() || zeros || q.bits() == (-mirrored).bits(),
-        "quantile({a:?}) = {q:?}, isf = {mirrored:?}"
-    );
+    let (q, isf) = (law.quantile(p), law.isf(p));
+    if !domain(p) {
+        assert!(
+            q.nan() && isf.nan(),
+            "quantile({p:?}) = {q:?}, isf = {isf:?}"
+        );
+        return;
+    }
+    for theta in [q, isf] {
+        assert!(
+            theta >= start && theta <= T::END,
+            "θ = {theta:?} at p = {p:?}"
+        );
+    }
+    let [before, after] = around(q).map(|theta| law.cdf(theta));
+    bracket(p, before, after, q);
+    let [after, before] = around(isf).map(|theta| law.sf(theta));
+    bracket(p, before, after, isf);
 }
 
-pub fn spatial<T: Number, L: Spatial<T>>(law: &L, a: T, b: T) {
+fn ordered_by<T: Number, L: Law<T>>(law: &L, a: T, b: T) {
     let _context = context::<T, L>();
-    line(law, a, b, T::of(0.0));
-}
-
-fn line<T: Number, L: Law<T>>(law: &L, a: T, b: T, start: T) {
-    let domain = |p: T| p.wide() >= 0.0 && p.wide() <= 1.0;
-    for p in [a, b] {
-        let (q, isf) = (law.quantile(p), law.isf(p));
-        if !domain(p) {
-            assert!(
-                q.nan() && isf.nan(),
-                "quantile({p:?}) = {q:?}, isf = {isf:?}"
-            );
-            continue;
-        }
-        for theta in [q, isf] {
-            assert!(
-                theta >= start && theta <= T::END,
-                "θ = {theta:?} at p = {p:?}"
-            );
-        }
-        let [before, after] = around(q).map(|theta| law.cdf(theta));
-        bracket(p, before, after, q);
-        let [after, before] = around(isf).map(|theta| law.sf(theta));
-        bracket(p, before, after, isf);
-        round_trip(law, Tails::from_lower(p));
-        round_trip(law, Tails::from_upper(p));
-    }
-    if domain(a) && domain(b) {
-        let (a, b) = if a <= b { (a, b) } else { (b, a) };
-        ordered(law.quantile(a), law.quantile(b));
-        ordered(law.isf(b), law.isf(a));
-    }
+    ordered(law.quantile(a), law.quantile(b));
+    ordered(law.isf(b), law.isf(a));
 }
 
 fn around<T: Number>(theta: T) -> [T; 2] {
@@ -122,6 +143,7 @@ fn bracket<T: Number>(p: T, before: T, after: T, at: T) {
 
 #[track_caller]
 fn round_trip<T: Number, L: Law<T>>(law: &L, p: Tails<T>) {
+    let _context = context::<T, L>();
     let back = law.unwarp_tails(law.warp_tails(p));
     let nearer = if p.upper() <= p.lower() {
         [p, back].map(Tails::upper)

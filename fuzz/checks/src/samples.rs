@@ -1,10 +1,10 @@
 //! Samplers, fed by any generator.
 
-use super::input::Words;
+use super::input::{Input, Words};
 use super::measure::{assert_unit, context};
-use coslobe::{CosSin, Planar, Spatial};
-use kit::catalogue::{every_law, every_number};
-use kit::{Drawn, Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
+use coslobe::{CosSin, Frame, Planar, Sample, Spatial};
+use kit::catalogue::one_law;
+use kit::{Drawn, Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 
 /// The promise: a unit vector to 2 ulp of 1 (or what stands for it).
 const UNIT_ULP: f64 = 2.0;
@@ -15,25 +15,13 @@ pub(super) fn of_direction<T: Number>() -> Drawn {
     (tail.0 + turn.0, tail.1 + turn.1)
 }
 
-/// The whole input is the generator.
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
+/// One direction, by every way to draw it.
+pub(super) fn draws<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    one_law::<T, _>(law, &mut Fed(&input.words));
 }
 
-struct Check<'a>(&'a [u8]);
-
-impl NumberVisitor for Check<'_> {
-    fn number<T: Number>(&mut self) {
-        all::<T>(self.0);
-    }
-}
-
-fn all<T: Number>(data: &[u8]) {
-    let exponents = [0.0, 1e-30, 0.5, 20.0, 1e6, T::LARGEST.wide()];
-    every_law::<T>(&mut Fed(data), &exponents);
-}
-
-struct Fed<'a>(&'a [u8]);
+struct Fed<'a>(&'a Words<'a>);
 
 impl<T: Number> LawVisitor<T> for Fed<'_> {
     fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
@@ -44,38 +32,57 @@ impl<T: Number> LawVisitor<T> for Fed<'_> {
     }
 }
 
-/// Draws enough in a row to come round the input, so that every alignment is met.
-fn rounds(data: &[u8]) -> usize {
-    data.len().clamp(1, 16)
+fn planar<T: Number, L: Planar<T>>(law: &L, words: &Words) {
+    let _context = context::<T, L>();
+    let mut rng = words.uncounted();
+    let d = Planar::sample(law, &mut rng);
+    assert_eq!(rng.drawn, T::TAIL_WORDS, "words drawn");
+    assert_unit(d, UNIT_ULP);
+    let [sin, cos] = d;
+    let at = CosSin { cos, sin };
+    assert_open(law.density(at), d, cos);
+    let Ok(tried) = Planar::try_sample(law, &mut words.clone());
+    assert_eq!(tried, d, "try_sample");
+    let density = law.density(at);
+    let whole = Planar::sample_with_density(law, &mut words.clone());
+    assert_sample(whole, (d, at, density));
 }
 
-fn planar<T: Number, L: Planar<T>>(law: &L, data: &[u8]) {
+fn spatial<T: Number, L: Spatial<T>>(law: &L, words: &Words) {
     let _context = context::<T, L>();
-    let mut words = Words::new(data);
-    for _ in 0..rounds(data) {
-        words.drawn = (0, 0);
-        let d = Planar::sample(law, &mut words);
-        assert_eq!(words.drawn, T::TAIL_WORDS, "words drawn");
-        assert_unit(d, UNIT_ULP);
-        let [sin, cos] = d;
-        assert_open(law.density(CosSin { cos, sin }), d, cos);
-    }
+    let mut rng = words.uncounted();
+    let d = Spatial::sample(law, &mut rng);
+    assert_eq!(rng.drawn, of_direction::<T>(), "words drawn");
+    assert_unit(d, UNIT_ULP);
+    let [x, cos, z] = d;
+    // hypot of squares that may underflow in T: taken in f64, where only T = f64 can.
+    let sin = T::of(x.wide().hypot(z.wide()));
+    assert!(sin.wide() > 0.0, "{d:?} lies on the axis");
+    assert_open(law.density(CosSin { cos, sin }), d, cos);
+    let Ok(tried) = Spatial::try_sample(law, &mut words.clone());
+    assert_eq!(tried, d, "try_sample");
+
+    let s = Spatial::sample_with_density(law, &mut words.clone());
+    assert_eq!(s.at.cos, cos, "cos θ of {s:?}");
+    assert_unit([s.at.cos, s.at.sin], UNIT_ULP);
+    assert_open(s.density, d, s.at.cos);
+    assert_sample(s, (d, s.at, law.density(s.at)));
+    // Any vector is safe; the direction is turned, and nothing else.
+    let normal = [x, -cos, z];
+    let turned = Frame::from_unit(normal).to_world(d);
+    let around = law.sample_around(normal, &mut words.clone());
+    assert_eq!(around, turned, "sample_around {normal:?}");
+    let around = law.sample_around_with_density(normal, &mut words.clone());
+    assert_sample(around, (turned, s.at, s.density));
 }
 
-pub fn spatial<T: Number, L: Spatial<T>>(law: &L, data: &[u8]) {
-    let _context = context::<T, L>();
-    let mut words = Words::new(data);
-    for _ in 0..rounds(data) {
-        words.drawn = (0, 0);
-        let d = Spatial::sample(law, &mut words);
-        assert_eq!(words.drawn, of_direction::<T>(), "words drawn");
-        assert_unit(d, UNIT_ULP);
-        let [x, cos, z] = d;
-        // hypot of squares that may underflow in T: taken in f64, where only T = f64 can.
-        let sin = T::of(x.wide().hypot(z.wide()));
-        assert!(sin.wide() > 0.0, "{d:?} lies on the axis");
-        assert_open(law.density(CosSin { cos, sin }), d, cos);
-    }
+/// The same bits as by the parts.
+#[track_caller]
+fn assert_sample<T: Number, const N: usize>(
+    s: Sample<T, N>,
+    (direction, at, density): ([T; N], CosSin<T>, T),
+) {
+    assert_eq!((s.direction, s.at, s.density), (direction, at, density));
 }
 
 /// Inside the open support, with a density that an estimator can divide by.

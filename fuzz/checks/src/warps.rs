@@ -1,10 +1,10 @@
 //! Warps: from probabilities to directions and back.
 
-use super::input::{Words, both};
+use super::input::Input;
 use super::measure::{assert_close, assert_positive_or_zero, assert_unit, context};
 use coslobe::{CosSin, Planar, Spatial};
-use kit::catalogue::{every_law, every_number};
-use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
+use kit::catalogue::one_law;
+use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 
 /// The promise: a unit vector to 2 ulp of 1.
 const UNIT_ULP: f64 = 2.0;
@@ -16,29 +16,18 @@ const TURN_ULP: f64 = 2.0;
 /// Below this many smallest normals, x and z are too short of digits to hold the azimuth.
 const SHORT: f64 = 1e3;
 
-/// Words: cdf of θ, or y; azimuth in turns, or x; z.
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
+/// At a probability and an azimuth, and back.
+pub(super) fn directions<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let (u, turn) = (input.number::<T>(0.0, 1.0), input.number(0.0, 1.0));
+    one_law(law, &mut Warped { u, turn });
 }
 
-struct Check<'a>(&'a [u8]);
-
-impl NumberVisitor for Check<'_> {
-    fn number<T: Number>(&mut self) {
-        all::<T>(Words::new(self.0));
-    }
-}
-
-fn all<T: Number>(mut words: Words) {
-    let us = both::<T>(words.word(), 0.0, 1.0);
-    let turns = both::<T>(words.word(), 0.0, 1.0);
-    let zs = both::<T>(words.word(), -1.0, 1.0);
-    for (x, z) in [(turns[0], zs[0]), (-turns[1], zs[0]), (turns[1], zs[1])] {
-        every_law(&mut Back([x, us[1], z]), &[]);
-    }
-    for (u, turn) in [(us[0], turns[0]), (us[1], turns[1]), (us[0], turns[1])] {
-        every_law(&mut Warped { u, turn }, &[]);
-    }
+/// Of any three numbers.
+pub(super) fn back<T: Number>(mut input: Input) {
+    let law = input.law::<T>();
+    let d: [T; 3] = std::array::from_fn(|_| input.number(-1.0, 1.0));
+    one_law(law, &mut Back(d));
 }
 
 struct Back<T>([T; 3]);
@@ -46,7 +35,7 @@ struct Back<T>([T; 3]);
 impl<T: Number> LawVisitor<T> for Back<T> {
     fn planar<L: PlanarLaw<T>>(&mut self, _: Id, _: L) {}
     fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
-        back(&law, self.0);
+        azimuth(&law, self.0);
     }
 }
 
@@ -83,7 +72,7 @@ fn planar<T: Number, L: Planar<T>>(law: &L, u: T) {
     }
 }
 
-pub fn spatial<T: Number, L: Spatial<T>>(law: &L, u: T, turn: T) {
+fn spatial<T: Number, L: Spatial<T>>(law: &L, u: T, turn: T) {
     let _context = context::<T, L>();
     for at in [law.warp(u), law.warp_sf(u)] {
         pair(at, u);
@@ -125,7 +114,7 @@ pub fn spatial<T: Number, L: Spatial<T>>(law: &L, u: T, turn: T) {
 }
 
 /// The azimuth of any direction, of unit length or not, is in [0, 1).
-fn back<T: Number, L: Spatial<T>>(law: &L, d: [T; 3]) {
+fn azimuth<T: Number, L: Spatial<T>>(law: &L, d: [T; 3]) {
     let _context = context::<T, L>();
     let [_, turn] = law.unwarp_direction(d);
     if d.iter().any(|c| c.nan()) {

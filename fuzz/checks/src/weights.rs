@@ -1,35 +1,23 @@
 //! Weights of multiple importance sampling, at any bits.
 
-use super::input::{Words, both};
+use super::input::Input;
 use coslobe::{balance_heuristic, power_heuristic};
-use kit::catalogue::every_number;
-use kit::{Number, NumberVisitor};
+use kit::Number;
 
 /// w(a, b) + w(b, a) against 1.
 const SUM_ULP: f64 = 4.0;
 /// The weight against its definition in f64, for `f32`; its own error for `f64`.
 const VALUE_ULP: f64 = 6.0;
 
-/// Words: two densities. (`lambert_weight` is checked with the densities, which define it.)
-pub fn check(data: &[u8]) {
-    every_number(&mut Check(data));
-}
-
-struct Check<'a>(&'a [u8]);
-
-impl NumberVisitor for Check<'_> {
-    fn number<T: Number>(&mut self) {
-        all::<T>(Words::new(self.0));
-    }
-}
-
-fn all<T: Number>(mut words: Words) {
-    let a = both::<T>(words.word(), 0.0, 2.0);
-    let b = both::<T>(words.word(), 0.0, 2.0);
-    for (a, b) in [(a[0], b[0]), (a[1], b[1]), (a[0], a[0]), (a[0], b[1])] {
-        heuristic(balance_heuristic, a, b, |ratio| ratio);
-        heuristic(power_heuristic, a, b, |ratio| ratio * ratio);
-    }
+/// Of two densities, often the same. (`lambert_weight` is checked with the densities, which define it.)
+pub(super) fn heuristics<T: Number>(mut input: Input) {
+    let a = input.number::<T>(0.0, 2.0);
+    let b = match input.flag() && input.flag() {
+        true => a,
+        false => input.number(0.0, 2.0),
+    };
+    heuristic(balance_heuristic, a, b, |ratio| ratio);
+    heuristic(power_heuristic, a, b, |ratio| ratio * ratio);
 }
 
 /// `weight(a, b)` = f(a/b) / (1 + f(a/b)).

@@ -2,6 +2,7 @@
 
 use super::root::{less_square, scaled};
 use super::turn::eighth;
+use super::word::ONE;
 use crate::CosSin;
 use crate::integers::drawn::Drawn;
 use ::fixed::types::I1F15;
@@ -71,7 +72,8 @@ pub(crate) fn spatial(cos: u32, phase: u32) -> Drawn<[I1F15; 3]> {
     ];
     let at = CosSin {
         cos: (along << 16) as i32,
-        sin: (sin << 15) as i32,
+        // Its last half unit would round to −1.
+        sin: (sin << 15).min(ONE) as i32,
     };
     Drawn { direction, at }
 }

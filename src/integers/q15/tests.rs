@@ -4,9 +4,9 @@
 extern crate std;
 
 use super::coefficients::{TURN_COS, TURN_SIN};
-use super::{angle, kepler, root, turn};
-use crate::integers::cos_sin;
-use ::fixed::types::I0F16;
+use super::{Q15 as Format15, angle, draw, kepler, root, turn};
+use crate::integers::{Format, cos_sin};
+use ::fixed::types::{I0F16, I1F15};
 use core::f64::consts::{FRAC_PI_4, TAU};
 use std::{println, vec::Vec};
 
@@ -159,4 +159,14 @@ fn a_worsened_coefficient_is_caught() {
         of(cos, c).max(of(sin, s))
     });
     assert!(error > 2.0, "{error} at {at:#x}");
+}
+
+/// The sine of a sample beside the horizon saturates: rounded up it would be −1.
+#[test]
+fn the_sine_beside_the_horizon_is_positive() {
+    for cos in (0..1 << 20).step_by(997) {
+        let drawn = draw::spatial(cos, 0);
+        let sin = Format15::component(drawn.at.sin);
+        assert!(sin >= I1F15::from_bits(32000), "{sin} of cos θ = {cos}");
+    }
 }

@@ -97,6 +97,25 @@ fn cos_power_in_strides() {
     }
 }
 
+/// Within 64 units of the horizon a unit is much of a cosine: small exponents feel it.
+#[test]
+fn pdf_of_small_exponents_beside_the_horizon() {
+    let mut worst = [0.0f64; 2];
+    for bits in (1..1 << 16).step_by(3) {
+        let k = f64::from(bits) / 65536.0;
+        let law = Fixed(coslobe::integers::CosPower::new(U16F16::from_bits(bits)));
+        for units in (1..64).step_by(2).chain([64, 1 << 10, 1 << 20]) {
+            let (cos, sin) = (f64::from(units) / Q32 * TAU).sin_cos();
+            let want = (k + 1.0) / TAU * cos.powf(k) * sin;
+            let got = law.pdf(I0F32::from_bits((1 << 30) - units));
+            let beside = &mut worst[usize::from(units >= 64)];
+            *beside = beside.max((f64::from(got) - want).abs() * 65536.0);
+        }
+    }
+    println!("beside the horizon {}, elsewhere {}", worst[0], worst[1]);
+    assert!(worst[0] <= 10.7 && worst[1] <= 1.1, "{worst:?}");
+}
+
 /// k = 0 is uniform on the hemisphere, its rim included; every other law is 0 there.
 #[test]
 fn the_rim_has_a_density_for_k_0_alone() {
