@@ -4,17 +4,10 @@
 //! certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.
 #![allow(clippy::approx_constant, clippy::excessive_precision)] // the constants are the point
 
-use super::fixed::FixedPoint;
+use crate::arithmetic::native::poly::FixedPoint;
 
 /// Half of cbrt 1/2, in Q16.
 pub(crate) const KEPLER_MIDDLE: i32 = 26008;
-
-/// sqrt(1 + x); relative error 2^-16.86; k = 15
-pub(crate) const SQRT: FixedPoint<3> = FixedPoint {
-    first: 2147501526,
-    inner: [1072697051, -258096863, 98040251],
-    last: -352,
-};
 
 /// cbrt(1 + x); relative error 2^-16.71; k = 15
 pub(crate) const CBRT: FixedPoint<3> = FixedPoint {

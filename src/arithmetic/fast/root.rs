@@ -1,18 +1,9 @@
-//! Square, cube and fourth roots: the exponent divided, the significand by an integer polynomial
-//! of degree 4.
-//!
-//! A native square root is one instruction where there is one, but about 415 on a Cortex-M0 and 51
-//! (`libm`'s) on a Cortex-M4F; this one is about as long everywhere, as are the other two.
+//! Cube and fourth roots: the exponent divided, the significand by an integer polynomial of degree
+//! 4.
 
-use super::coefficients::{CBRT, FOURTH_ROOT, SQRT};
-use super::fixed::FixedPoint;
-
-/// Not normal and positive: subnormal, ±0, ∞, NaN, or negative.
-#[inline(always)]
-pub(crate) const fn unusual(bits: u32) -> bool {
-    const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
-    bits.wrapping_sub(LEAST) >= f32::INFINITY.to_bits() - LEAST
-}
+use super::coefficients::{CBRT, FOURTH_ROOT};
+use crate::arithmetic::native::poly::FixedPoint;
+use crate::arithmetic::native::sqrt::unusual;
 
 /// 2²⁴: makes a subnormal number normal.
 pub(crate) const UP: f32 = 16_777_216.0;
@@ -40,18 +31,6 @@ fn assemble<const N: usize>(bits: u32, shape: &FixedPoint<N>, part: u32, e: u32)
     let significand = root.wrapping_mul(part) >> 7;
     let root = significand.wrapping_add(e.wrapping_sub(1) << 23);
     f32::from_bits(if bits <= ONE && root > ONE { ONE } else { root })
-}
-
-/// √x; ±0 and +∞ as they are, NaN below 0.
-#[inline]
-pub(crate) fn sqrt(x: f32) -> f32 {
-    let bits = x.to_bits();
-    if unusual(bits) {
-        return of_unusual(x, sqrt, 1.0 / 4096.0);
-    }
-    let n = (bits >> 23).wrapping_add(127);
-    let part = 13573u32.wrapping_mul(n & 1).wrapping_add(32768); // 2^(0, 1/2) in Q15
-    assemble(bits, &SQRT, part, n >> 1)
 }
 
 /// ∛x for x ≥ 0; ±0 and +∞ as they are, NaN below 0.
