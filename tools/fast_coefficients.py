@@ -1,5 +1,4 @@
-"""Polynomials of the `Fast<f32>` kernels: what `tools/coefficients.py` writes to src/arithmetic/fast/coefficients.rs,
-and the square root's in integers, in src/arithmetic/native/coefficients_sqrt.rs.
+"""Polynomials of the `Fast<f32>` kernels: what `tools/coefficients.py` writes to src/arithmetic/fast/coefficients.rs.
 
 Two kinds. A float polynomial has f32 coefficients. A fixed-point one is evaluated in 32-bit
 integers: x in Q16, the leading coefficient in Qk, the others in Q(k + 16), and no step of
@@ -43,7 +42,6 @@ def specs(newton):
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
     return [
-        ("RECIP_SQRT", lambda f: 1 / sqrt(1 + f), (0, 1), -13.5, 15, "1 / sqrt(1 + x)"),
         ("CBRT", lambda f: cbrt(1 + f), (0, 1), -15, 15, "cbrt(1 + x)"),
         ("FOURTH_ROOT", lambda f: sqrt(sqrt(1 + f)), (0, 1), -15, 15, "(1 + x)^(1/4)"),
         ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
@@ -119,46 +117,34 @@ def check_range(name, c, interval, k):
         assert 0 < total < 2 ** (16 - k), (name, k)
 
 
-HEAD = """//! Coefficients of %s, written by `python3 tools/coefficients.py`: do not edit.
-//!
-//! `FixedPoint`: argument in Q16, `last` in Qk, the others in Q(k + 16), `inner` with half a unit of Qk added. Each error is relative,
-//! certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top."""
-
-
-def declared(spec, series_free, newton, text):
-    name, f, interval, wanted, k, doc = spec
-    c, error = fit(series_free(f, *interval, n=28), interval, wanted, k)
-    print(f"fast: {name}: degree {len(c) - 1}, relative error 2^{mp.nstr(error, 4)}", flush=True)
-    lines = ["", f"/// {doc}; relative error 2^{mp.nstr(error, 4)}" + ("" if k is None else f"; k = {k}")]
-    if k is None:
-        values = ", ".join(text(v, 24) for v in c)
-        return lines + [f"pub(crate) const {name}: [f32; {len(c)}] = [{values}];"]
-    check_range(name, c, interval, k)
-    whole = [int(v * 2 ** (k + 16)) for v in c]
-    # Half a unit of what a step cuts off rounds it at no cost.
-    inner = ", ".join(str(v + 2**15) for v in whole[1:-1])
-    return lines + [f"pub(crate) const {name}: FixedPoint<{len(c) - 2}> = FixedPoint {{ "
-                    f"first: {whole[0]}, inner: [{inner}], last: {int(c[-1] * 2**k)} }};"]
-
-
-def written(path, lines):
-    with open(path, "w") as out:
-        out.write("\n".join(lines) + "\n")
-    subprocess.run(["rustfmt", "--edition", "2024", path], check=True)
-
-
 def write(series_free, newton, text):
-    root, *fast = specs(newton)
-    declare = lambda spec: declared(spec, series_free, newton, text)
-    written("src/arithmetic/native/coefficients_sqrt.rs",
-            [HEAD % "the square root in integers", "", "use super::poly::FixedPoint;", *declare(root)])
     lines = [
-        HEAD % "the fast kernels",
+        "//! Coefficients of the fast kernels, written by `python3 tools/coefficients.py`: do not edit.",
+        "//!",
+        "//! `FixedPoint`: argument in Q16, `last` in Qk, the others in Q(k + 16), `inner` with half a unit of Qk added. Each error is relative,",
+        "//! certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.",
         "#![allow(clippy::approx_constant, clippy::excessive_precision)] // the constants are the point",
         "",
-        "use crate::arithmetic::native::poly::FixedPoint;",
+        "use super::fixed::FixedPoint;",
         "",
         "/// Half of cbrt 1/2, in Q16.",
         f"pub(crate) const KEPLER_MIDDLE: i32 = {KEPLER_MIDDLE};",
     ]
-    written("src/arithmetic/fast/coefficients.rs", lines + [line for spec in fast for line in declare(spec)])
+    for name, f, interval, wanted, k, doc in specs(newton):
+        c, error = fit(series_free(f, *interval, n=28), interval, wanted, k)
+        print(f"fast: {name}: degree {len(c) - 1}, relative error 2^{mp.nstr(error, 4)}", flush=True)
+        lines += ["", f"/// {doc}; relative error 2^{mp.nstr(error, 4)}" + ("" if k is None else f"; k = {k}")]
+        if k is None:
+            values = ", ".join(text(v, 24) for v in c)
+            lines += [f"pub(crate) const {name}: [f32; {len(c)}] = [{values}];"]
+        else:
+            check_range(name, c, interval, k)
+            whole = [int(v * 2 ** (k + 16)) for v in c]
+            # Half a unit of what a step cuts off rounds it at no cost.
+            inner = ", ".join(str(v + 2**15) for v in whole[1:-1])
+            lines += [f"pub(crate) const {name}: FixedPoint<{len(c) - 2}> = FixedPoint {{ "
+                      f"first: {whole[0]}, inner: [{inner}], last: {int(c[-1] * 2**k)} }};"]
+    path = "src/arithmetic/fast/coefficients.rs"
+    with open(path, "w") as out:
+        out.write("\n".join(lines) + "\n")
+    subprocess.run(["rustfmt", "--edition", "2024", path], check=True)

@@ -4,7 +4,7 @@
 //! certified by Sollya's `supnorm`, of the polynomial as stored; rounding comes on top.
 #![allow(clippy::approx_constant, clippy::excessive_precision)] // the constants are the point
 
-use crate::arithmetic::native::poly::FixedPoint;
+use super::fixed::FixedPoint;
 
 /// Half of cbrt 1/2, in Q16.
 pub(crate) const KEPLER_MIDDLE: i32 = 26008;

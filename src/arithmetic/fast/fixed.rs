@@ -1,4 +1,22 @@
-//! Floats put together from integers, and taken apart.
+//! Fixed-point polynomials, and floats put together from integers.
+
+/// A polynomial of x in Q16: the leading coefficient in Qk, the others in Q(k + 16), the inner ones
+/// with the half unit that rounds their sum to Qk.
+pub(crate) struct FixedPoint<const N: usize> {
+    pub(crate) first: u32,
+    pub(crate) inner: [i32; N],
+    pub(crate) last: i32,
+}
+
+impl<const N: usize> FixedPoint<N> {
+    /// The value in Q(k + 16): the last sum keeps all its bits. Wraps for x outside the domain.
+    #[inline(always)]
+    pub(crate) fn at(&self, x: i32) -> u32 {
+        let step = |sum: i32, &c: &i32| sum.wrapping_mul(x).wrapping_add(c) >> 16;
+        let sum = self.inner.iter().rev().fold(self.last, step);
+        (sum.wrapping_mul(x) as u32).wrapping_add(self.first)
+    }
+}
 
 /// r·2ᵉ⁻³¹ for 2³¹ ≤ r < 2³², truncated to 24 bits: no conversion and no normalisation.
 #[inline(always)]

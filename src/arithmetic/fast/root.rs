@@ -2,7 +2,7 @@
 //! 4.
 
 use super::coefficients::{CBRT, FOURTH_ROOT};
-use crate::arithmetic::native::poly::FixedPoint;
+use super::fixed::FixedPoint;
 use crate::arithmetic::native::sqrt::unusual;
 
 /// 2²⁴: makes a subnormal number normal.

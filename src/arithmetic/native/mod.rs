@@ -4,7 +4,6 @@ pub(crate) mod atan;
 pub(crate) mod cbrt;
 pub(crate) mod coefficients_f32;
 pub(crate) mod coefficients_f64;
-pub(crate) mod coefficients_sqrt;
 pub(crate) mod exp2;
 pub(crate) mod f32;
 pub(crate) mod f64;

@@ -23,21 +23,3 @@ pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
     };
     (sum(0) + x2 * sum(2)) + x * (sum(1) + x2 * sum(3))
 }
-
-/// A polynomial of x in Q16: the leading coefficient in Qk, the others in Q(k + 16), the inner ones
-/// with the half unit that rounds their sum to Qk.
-pub(crate) struct FixedPoint<const N: usize> {
-    pub(crate) first: u32,
-    pub(crate) inner: [i32; N],
-    pub(crate) last: i32,
-}
-
-impl<const N: usize> FixedPoint<N> {
-    /// The value in Q(k + 16): the last sum keeps all its bits. Wraps for x outside the domain.
-    #[inline(always)]
-    pub(crate) fn at(&self, x: i32) -> u32 {
-        let step = |sum: i32, &c: &i32| sum.wrapping_mul(x).wrapping_add(c) >> 16;
-        let sum = self.inner.iter().rev().fold(self.last, step);
-        (sum.wrapping_mul(x) as u32).wrapping_add(self.first)
-    }
-}

@@ -1,13 +1,16 @@
 //! The square root of an `f32` in 32-bit integers, for processors with no instruction for it: the
 //! same bits, since IEEE 754 rounds a root once.
 //!
-//! Method: ρ ≈ 1/√X by a polynomial (2⁻¹³·⁷), of which t = Xρ is a root of 15 bits and t + (X −
-//! t²)ρ/2 one within ±0.4 of the last place. Cut off, that is the root or one less: the sign of
-//! X − r² − r, of which 32 bits are enough, tells which. No root is a tie.
+//! Method: ρ ≈ 1/√X by a polynomial (2⁻¹³·⁷), of which t = Xρ is a root of 15 bits, and t + (X −
+//! t²)ρ/2 one that is off by −0.38 to 0.02 of the last place. Cut off, that is the root or one less:
+//! the sign of X − r² − r, of which 32 bits are enough, tells which. No root is a tie.
 //!
-//! Error: none. Shown on every significand of either parity and every subnormal number.
+//! Error: none. Shown on every significand of either parity, every exponent and every subnormal
+//! number.
 
-use super::coefficients_sqrt::RECIP_SQRT;
+/// 1/√(1 + x) in units of 2⁻¹⁶: Sollya's `fpminimax`, moved by some units to where the error of the
+/// step, which is always one way, is least.
+const RECIPROCAL: [i32; 5] = [65532, -32506, 22210, -12220, 3330];
 
 /// Not normal and positive: subnormal, ±0, ∞, NaN, or negative.
 #[inline(always)]
@@ -16,43 +19,44 @@ pub(crate) const fn unusual(bits: u32) -> bool {
     bits.wrapping_sub(LEAST) >= f32::INFINITY.to_bits() - LEAST
 }
 
-/// ±0 and +∞ as they are, NaN below 0.
-#[cold]
-fn of_unusual(x: f32) -> f32 {
-    if x < 0.0 {
-        f32::NAN
-    } else if x > 0.0 && x < f32::MIN_POSITIVE {
-        sqrt(x * 16_777_216.0) * (1.0 / 4096.0)
-    } else {
-        x
-    }
-}
-
-/// √x.
+/// √x; ±0 and +∞ as they are, NaN below 0.
 #[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
-    /// Centres the error: half of a step's square is always lost.
-    const CENTRE: i32 = 96;
-    let bits = x.to_bits();
+    let mut bits = x.to_bits();
+    let mut exponent = bits >> 23;
     if unusual(bits) {
-        return of_unusual(x);
+        if x < 0.0 {
+            return f32::NAN;
+        }
+        if bits << 1 == 0 || exponent != 0 {
+            return x;
+        }
+        // No call of a product, for which each caller would save registers.
+        exponent = 1;
+        while bits >> 23 == 0 {
+            bits <<= 1;
+            exponent = exponent.wrapping_sub(1);
+        }
     }
     // X from 2³⁰ to 2³², its exponent even; ρ = 2¹⁵/√X in Q16.
-    let odd = (bits >> 23) & 1;
+    let odd = exponent & 1;
     let square = ((bits << 8) | 1 << 31) >> odd;
-    let reciprocal = RECIP_SQRT.at(((bits << 9) >> 16) as i32) >> 16;
-    // 2^(16, 15½)
-    let part = 19193u32.wrapping_mul(odd).wrapping_add(46343);
+    let x = ((bits << 9) >> 16) as i32;
+    let [c0, c1, c2, c3, c4] = RECIPROCAL;
+    let step = |sum: i32, c: i32| (sum.wrapping_mul(x) >> 16).wrapping_add(c);
+    let reciprocal = step(step(step(step(c4, c3), c2), c1), c0) as u32;
+    // 2^(15, 14½)
+    let part = 9597u32.wrapping_mul(odd).wrapping_add(23171);
     let reciprocal = reciprocal.wrapping_mul(part) >> 15;
     let root = (square >> 16).wrapping_mul(reciprocal) >> 15;
     let rest = square.wrapping_sub(root.wrapping_mul(root)) as i32;
-    let step = (rest.wrapping_add(CENTRE) >> 5).wrapping_mul(reciprocal as i32) >> 19;
+    let step = (rest >> 5).wrapping_mul(reciprocal as i32) >> 19;
     let root = (root << 8).wrapping_add(step as u32);
     // X·2¹⁶ − r² is small, so that 32 bits hold it.
     let rest = (square << 16).wrapping_sub(root.wrapping_mul(root));
     let up = root.wrapping_sub(rest) >> 31;
     // The root's leading one counts as one in the exponent.
-    let exponent = (bits >> 23).wrapping_add(125) >> 1 << 23;
+    let exponent = exponent.wrapping_add(125) >> 1 << 23;
     f32::from_bits(exponent.wrapping_add(root).wrapping_add(up))
 }
 
