@@ -32,11 +32,9 @@ pub(crate) fn sqrt(x: f32) -> f32 {
             return x;
         }
         // No call of a product, for which each caller would save registers.
-        exponent = 1;
-        while bits >> 23 == 0 {
-            bits <<= 1;
-            exponent = exponent.wrapping_sub(1);
-        }
+        let shift = bits.leading_zeros().wrapping_sub(8);
+        bits = bits.wrapping_shl(shift);
+        exponent = 1u32.wrapping_sub(shift);
     }
     // X from 2³⁰ to 2³², its exponent even; ρ = 2¹⁵/√X in Q16.
     let odd = exponent & 1;
