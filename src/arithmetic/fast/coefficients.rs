@@ -16,13 +16,6 @@ pub(crate) const CBRT: FixedPoint<3> = FixedPoint {
     last: -347,
 };
 
-/// (1 + x)^(1/4); relative error 2^-16.82; k = 15
-pub(crate) const FOURTH_ROOT: FixedPoint<3> = FixedPoint {
-    first: 2147502256,
-    inner: [535817870, -191083939, 81762753],
-    last: -307,
-};
-
 /// 2 sin(pi y / 4) / y in y^2; relative error 2^-18.63; k = 15
 pub(crate) const TURN_SIN: FixedPoint<1> = FixedPoint {
     first: 3373257640,

@@ -51,12 +51,8 @@ const MAX: f32 = f32::MAX;
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
     row("cbrt, subnormal", -14.2, (LEAST, TINY), (LEAST, TINY), root::cbrt, libm::cbrt),
-    row("fourth_root, subnormal", -14.2, (LEAST, TINY), (LEAST, TINY),
-        root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
     row("ln, subnormal", -21.4, (LEAST, TINY), (LEAST, TINY), power::ln, libm::log),
     row("cbrt", -14.2, (TINY, MAX), (1.0, 8.0), root::cbrt, libm::cbrt),
-    row("fourth_root", -14.2, (TINY, MAX), (1.0, 16.0),
-        root::fourth_root, |x| libm::sqrt(libm::sqrt(x))),
     row("sin_cos: cos", -19.7, (TINY, END), (0.01, END), |x| angle::sin_cos(x).0, libm::cos),
     row("sin_cos: sin", -13.1, (TINY, END), (0.01, END), |x| angle::sin_cos(-x).1, libm::sin),
     row("eighth_turn: cos", -16.3, (TINY, 0.125), (1e-3, 0.125),
