@@ -42,9 +42,7 @@ def specs(newton):
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
     return [
-        ("SQRT", lambda f: sqrt(1 + f), (0, 1), -15, 15, "sqrt(1 + x)"),
         ("CBRT", lambda f: cbrt(1 + f), (0, 1), -15, 15, "cbrt(1 + x)"),
-        ("FOURTH_ROOT", lambda f: sqrt(sqrt(1 + f)), (0, 1), -15, 15, "(1 + x)^(1/4)"),
         ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
         ("TURN_COS", of_square(lambda y: cos(pi / 4 * y)), (0, 1), -13.5, 15, "cos(pi y / 4) in y^2"),
         ("KEPLER_COS", of_square(lambda z: sin(eta(z)) / z), (0, grown(top**2)), -13.7, 15,

@@ -118,16 +118,16 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
     #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
-        let at = self.warp_tails(p);
         // Below this the ratio of the tails is 2/3 to all digits, and cubes would underflow.
         if p.lower().is_negligible() || p.upper().is_negligible() {
-            return W::angle(at);
+            return W::angle(self.warp_tails(p));
         }
-        let (one, cos) = (W::Wide::from_value(W::ONE), p.upper().cbrt_wide());
-        let next = one.add(cos);
-        let square = next.div(next.add(cos.mul(cos)));
+        let (one, wide) = (W::Wide::from_value(W::ONE), p.upper().cbrt_wide());
+        let next = one.add(wide);
+        let square = next.div(next.add(wide.mul(wide)));
         let sin = square.mul(W::Wide::from_value(p.lower())).sqrt();
-        W::angle(CosSin { cos: at.cos, sin })
+        let cos = p.upper().cbrt();
+        W::angle(CosSin { cos, sin })
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::coefficients::{ATAN, COS, EIGHTH_COS, EIGHTH_SIN, HALF_TURN, SIN};
 use super::fixed::{at_most_one, horner};
-use super::root::unusual;
+use crate::arithmetic::native::sqrt::unusual;
 use core::f32::consts::{FRAC_PI_2, PI};
 
 /// π/2 less the `f32` nearest to it.

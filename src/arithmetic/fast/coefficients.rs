@@ -9,25 +9,11 @@ use super::fixed::FixedPoint;
 /// Half of cbrt 1/2, in Q16.
 pub(crate) const KEPLER_MIDDLE: i32 = 26008;
 
-/// sqrt(1 + x); relative error 2^-16.86; k = 15
-pub(crate) const SQRT: FixedPoint<3> = FixedPoint {
-    first: 2147501526,
-    inner: [1072697051, -258096863, 98040251],
-    last: -352,
-};
-
 /// cbrt(1 + x); relative error 2^-16.71; k = 15
 pub(crate) const CBRT: FixedPoint<3> = FixedPoint {
     first: 2147503624,
     inner: [714685281, -227479904, 93765510],
     last: -347,
-};
-
-/// (1 + x)^(1/4); relative error 2^-16.82; k = 15
-pub(crate) const FOURTH_ROOT: FixedPoint<3> = FixedPoint {
-    first: 2147502256,
-    inner: [535817870, -191083939, 81762753],
-    last: -307,
 };
 
 /// 2 sin(pi y / 4) / y in y^2; relative error 2^-18.63; k = 15

@@ -82,11 +82,6 @@ impl Kernel for Fast<f32> {
         }
     }
     #[inline(always)]
-    fn fourth_root(self) -> (Self, Self) {
-        let root = Fast(root::fourth_root(self.0));
-        (root, root * root)
-    }
-    #[inline(always)]
     fn cbrt(self) -> Self {
         Fast(root::cbrt(self.0))
     }

@@ -130,6 +130,6 @@ impl Scalar for Fast<f32> {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Fast(root::sqrt(self.0))
+        Fast(Scalar::sqrt(self.0))
     }
 }

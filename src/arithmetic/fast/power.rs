@@ -5,7 +5,8 @@
 
 use super::coefficients::{EXP2, EXP2_M1, LN};
 use super::fixed::{horner, leading_31};
-use super::root::{UP, unusual};
+use super::root::UP;
+use crate::arithmetic::native::sqrt::unusual;
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
 /// (m, e) with x = m·2ᵉ, m from √½ to √2, for normal x > 0.

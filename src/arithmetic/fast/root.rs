@@ -1,65 +1,29 @@
-//! Square, cube and fourth roots: the exponent divided, the significand by an integer polynomial
-//! of degree 4.
-//!
-//! A native square root is one instruction where there is one, but about 415 on a Cortex-M0 and 51
-//! (`libm`'s) on a Cortex-M4F; this one is about as long everywhere, as are the other two.
+//! The cube root: the exponent divided, the significand by an integer polynomial of degree 4.
 
-use super::coefficients::{CBRT, FOURTH_ROOT, SQRT};
-use super::fixed::FixedPoint;
-
-/// Not normal and positive: subnormal, ±0, ∞, NaN, or negative.
-#[inline(always)]
-pub(crate) const fn unusual(bits: u32) -> bool {
-    const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
-    bits.wrapping_sub(LEAST) >= f32::INFINITY.to_bits() - LEAST
-}
+use super::coefficients::CBRT;
+use crate::arithmetic::native::sqrt::unusual;
 
 /// 2²⁴: makes a subnormal number normal.
 pub(crate) const UP: f32 = 16_777_216.0;
 
-/// `down` is `root`(2⁻²⁴).
 #[cold]
-fn of_unusual(x: f32, root: fn(f32) -> f32, down: f32) -> f32 {
+fn of_unusual(x: f32) -> f32 {
     if x < 0.0 {
         f32::NAN
     } else if x > 0.0 && x < f32::MIN_POSITIVE {
-        root(x * UP) * down
+        cbrt(x * UP) * (1.0 / 256.0)
     } else {
         x
     }
 }
 
-/// The root of 1 + f times `part` (Q15), with the biased exponent `e`; f from the significand of
-/// `bits`.
-/// No root of a number up to 1 is above 1.
-#[inline(always)]
-fn assemble<const N: usize>(bits: u32, shape: &FixedPoint<N>, part: u32, e: u32) -> f32 {
-    const ONE: u32 = 1.0f32.to_bits();
-    let f = (bits >> 7) & 0xFFFF;
-    let root = shape.at(f as i32).wrapping_add(0x8000) >> 16;
-    let significand = root.wrapping_mul(part) >> 7;
-    let root = significand.wrapping_add(e.wrapping_sub(1) << 23);
-    f32::from_bits(if bits <= ONE && root > ONE { ONE } else { root })
-}
-
-/// √x; ±0 and +∞ as they are, NaN below 0.
-#[inline]
-pub(crate) fn sqrt(x: f32) -> f32 {
-    let bits = x.to_bits();
-    if unusual(bits) {
-        return of_unusual(x, sqrt, 1.0 / 4096.0);
-    }
-    let n = (bits >> 23).wrapping_add(127);
-    let part = 13573u32.wrapping_mul(n & 1).wrapping_add(32768); // 2^(0, 1/2) in Q15
-    assemble(bits, &SQRT, part, n >> 1)
-}
-
-/// ∛x for x ≥ 0; ±0 and +∞ as they are, NaN below 0.
+/// ∛x for x ≥ 0; ±0 and +∞ as they are, NaN below 0. Of no number up to 1 it is above 1.
 #[inline]
 pub(crate) fn cbrt(x: f32) -> f32 {
+    const ONE: u32 = 1.0f32.to_bits();
     let bits = x.to_bits();
     if unusual(bits) {
-        return of_unusual(x, cbrt, 1.0 / 256.0);
+        return of_unusual(x);
     }
     let n = (bits >> 23).wrapping_add(254);
     let third = n.wrapping_mul(171) >> 9; // n / 3 for n ≤ 509
@@ -67,22 +31,10 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     // 2^(0, 1/3, 2/3) in Q15.
     let slope = rest.wrapping_mul(1107).wrapping_add(7410);
     let part = rest.wrapping_mul(slope).wrapping_add(32768);
-    assemble(bits, &CBRT, part, third)
-}
-
-/// ⁴√x; ±0 and +∞ as they are, NaN below 0. One pass, so half the cost and the error of two square
-/// roots.
-#[inline]
-pub(crate) fn fourth_root(x: f32) -> f32 {
-    let bits = x.to_bits();
-    if unusual(bits) {
-        return of_unusual(x, fourth_root, 1.0 / 64.0);
-    }
-    let n = (bits >> 23).wrapping_add(381);
-    let rest = n & 3;
-    // 2^(0, 1/4, 1/2, 3/4) in Q15.
-    let bend = rest.wrapping_mul(74).wrapping_add(951);
-    let slope = rest.wrapping_mul(bend).wrapping_add(11375);
-    let part = (rest.wrapping_mul(slope) >> 1).wrapping_add(32768);
-    assemble(bits, &FOURTH_ROOT, part, n >> 2)
+    // That of 1 + f, f from the significand.
+    let f = (bits >> 7) & 0xFFFF;
+    let root = CBRT.at(f as i32).wrapping_add(0x8000) >> 16;
+    let significand = root.wrapping_mul(part) >> 7;
+    let root = significand.wrapping_add(third.wrapping_sub(1) << 23);
+    f32::from_bits(if bits <= ONE && root > ONE { ONE } else { root })
 }

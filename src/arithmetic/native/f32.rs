@@ -4,6 +4,7 @@ use super::coefficients_f32::{CONSTANTS, TABLE};
 use super::float::Float;
 use super::format::Native;
 use super::pair::Pair;
+use super::sqrt::sqrt;
 use super::table::Table;
 use super::turn::merge_if_odd;
 use crate::arithmetic::constants::Constants;
@@ -77,13 +78,27 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn sqrt(self) -> f32 {
-        // The same bits: a root is rounded once. libm's is inline assembly on some targets, through
-        // which no loop becomes vectors.
-        #[cfg(feature = "std")]
-        return f32::sqrt(self);
-        #[cfg(not(feature = "std"))]
-        libm::sqrtf(self)
+        // The same bits each way: a root is rounded once.
+        let by_instruction = cfg!(any(
+            feature = "std",
+            target_feature = "sse2",
+            all(target_arch = "aarch64", target_feature = "neon")
+        ));
+        if by_instruction {
+            instruction(self)
+        } else {
+            sqrt(self)
+        }
     }
+}
+
+/// libm's root is inline assembly on these processors, through which no loop becomes vectors.
+#[inline(always)]
+fn instruction(x: f32) -> f32 {
+    #[cfg(feature = "std")]
+    return f32::sqrt(x);
+    #[cfg(not(feature = "std"))]
+    libm::sqrtf(x)
 }
 
 impl Float for f32 {

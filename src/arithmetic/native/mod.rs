@@ -17,6 +17,7 @@ pub(crate) mod pair;
 pub(crate) mod poly;
 pub(crate) mod power;
 pub(crate) mod root;
+pub(crate) mod sqrt;
 pub(crate) mod table;
 pub(crate) mod tail_root;
 pub(crate) mod trig;
