@@ -1,7 +1,7 @@
 //! Components of directions of `Precise` are rounded once: correctly in f32, to 0.55 ulp in f64.
 
 use coslobe::uniform::{TailBits, TurnBits, tails_from_bits};
-use coslobe::{Precise, Spatial};
+use coslobe::{Lambert, Precise, Spatial};
 use kit::accuracy::format::{Format, ulp};
 use kit::accuracy::inverse::warp;
 use kit::accuracy::reference::{Direction, Formula, Id};

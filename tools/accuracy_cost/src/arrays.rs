@@ -168,14 +168,16 @@ impl<T: BatchNumber> LawVisitor<T> for Slices<'_, T> {
     }
 }
 
-impl BatchVisitor for Vec<Contender> {
+struct All<'a>(&'a mut Vec<Contender>);
+
+impl BatchVisitor for All<'_> {
     fn number<T: BatchNumber>(&mut self) {
         let mut rng = generator();
         let mut next = || rng.next_u64();
         let bits = |_| (T::tail_bits(&mut next), T::turn_bits(&mut next));
         let (theta, phi): (Vec<_>, Vec<_>) = (0..ALL).map(bits).unzip();
         let mut slices = Slices::<T> {
-            list: self,
+            list: self.0,
             u: uniforms(),
             theta: theta.into(),
             phi: phi.into(),
@@ -186,5 +188,5 @@ impl BatchVisitor for Vec<Contender> {
 
 /// Every function of slices, at every width of this processor.
 pub(crate) fn all(list: &mut Vec<Contender>) {
-    every_batch_number(list);
+    every_batch_number(&mut All(list));
 }

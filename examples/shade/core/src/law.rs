@@ -4,7 +4,7 @@ use crate::scalar::zero;
 use crate::{Number, Vector};
 use core::fmt::Debug;
 use coslobe::rand_core::Rng;
-use coslobe::{CosSin, Law, Planar, Spatial};
+use coslobe::{CosSin, Planar, Spatial};
 
 /// A law that draws directions around an axis in the world of `V`.
 pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {

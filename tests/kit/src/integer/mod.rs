@@ -12,7 +12,7 @@ use coslobe::{Fixed, Fixed16, Moments};
 /// What `fixed::Integers`' documentation says of a law's errors in one format: the table after the words `Those of`
 /// its name, largest errors in units of the last place by operation. What follows a number in a cell is its input.
 pub fn documented(format: &str) -> Vec<(String, Vec<f64>)> {
-    const PAGE: &str = include_str!("../../../../src/fixed/mod.rs");
+    const PAGE: &str = include_str!("../../../../src/integers/mod.rs");
     let rows = PAGE
         .lines()
         .skip_while(|line| !line.contains(&format!("Those of `{format}`")));
