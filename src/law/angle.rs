@@ -8,10 +8,11 @@ use crate::{CosSin, Moments, Tails};
 
 /// What every law can tell of the angle θ from the axis +y, in radians.
 ///
-/// Support: \[−π/2, π/2\] for [`Planar`](crate::Planar) laws, \[0, π/2\] for [`Spatial`](crate::Spatial) ones, with the true π:
-/// `f32`'s `FRAC_PI_2` lies beyond it. All functions are total: NaN gives NaN; outside the
-/// support the density is 0, its logarithm −∞ and the cdf 0 or 1; a probability outside
-/// \[0, 1\] gives NaN. No input panics. The accuracy of each is in [`accuracy`](crate::accuracy).
+/// Support: \[−π/2, π/2\] for [`Planar`](crate::Planar) laws, \[0, π/2\] for
+/// [`Spatial`](crate::Spatial) ones, with the true π: `f32`'s `FRAC_PI_2` lies beyond it. All
+/// functions are total: NaN gives NaN; outside the support the density is 0, its logarithm −∞ and
+/// the cdf 0 or 1; a probability outside \[0, 1\] gives NaN. No input panics. The accuracy of each
+/// is in [`accuracy`](crate::accuracy).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a law in the number type `{T}`",
     label = "no law of a direction in `{T}`"
@@ -108,7 +109,7 @@ pub trait Law<T: Real> {
         self.warp_tails(Tails::from_lower(u))
     }
 
-    /// (cos θ, sin θ) at sf = `q`: [`warp`](Law::warp) entered from the other end.
+    /// (cos θ, sin θ) at sf = `q`.
     #[inline]
     fn warp_sf(&self, q: T) -> CosSin<T> {
         self.warp_tails(Tails::from_upper(q))
@@ -128,8 +129,7 @@ pub trait Law<T: Real> {
 
     /// [`pdf`](Law::pdf) of each θ.
     ///
-    /// This and the other `…_slice` give the bits of as many scalar calls, for every input and at
-    /// every width of vectors: see [`batch`].
+    /// Every `…_slice` gives the bits of as many scalar calls, at any width of vectors: see [`batch`].
     ///
     /// # Errors
     /// If the slices have unequal lengths; then nothing is written. So with every `…_slice`.

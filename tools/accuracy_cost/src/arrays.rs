@@ -1,7 +1,7 @@
 //! Loops over arrays: `warp_direction` and `warp` of pairs, of slices at each width, and the same loops in
 //! the hand of a renderer's author.
 
-use crate::contender::Contender;
+use crate::contender::{Contender, EXPONENT, plain};
 use crate::peers::{concentric, lobe};
 use coslobe::batch::width::{Width, limit, widest};
 use coslobe::rand_core::Rng;
@@ -19,8 +19,6 @@ use std::ops::Range;
 const SLICE: usize = 4096;
 /// Elements that time is taken over: more than a branch predictor learns.
 const ALL: usize = 1 << 16;
-/// The exponent of `CosPower`.
-const EXPONENT: f64 = crate::catalog::EXPONENT;
 
 pub(crate) const DIRECTION: &str = "warp_direction";
 pub(crate) const WARP: &str = "warp";
@@ -51,7 +49,7 @@ impl List {
     fn push(&mut self, law: Id, operation: &'static str, name: String, ours: bool, cell: Cell) {
         self.all.push(Contender {
             short: name.clone(),
-            format: crate::contender::plain(&name),
+            format: plain(&name),
             name,
             ours,
             law,

@@ -1,6 +1,6 @@
 //! Our own operations: number type × law × operation.
 
-use crate::contender::{Contender, Measure, PARTS, plain};
+use crate::contender::{Contender, EXPONENT, Measure, PARTS, plain};
 use crate::peers;
 use coslobe::rand_core::Rng;
 use coslobe::{CosSin, Law, Planar, Spatial, uniform};
@@ -11,9 +11,6 @@ use kit::study::inputs::{Uniforms, angles, pairs, probabilities};
 use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
 use std::hint::black_box;
 use std::marker::PhantomData;
-
-/// Exponent of the power law that is measured.
-pub(crate) const EXPONENT: f64 = 20.0;
 
 /// Every law in every number type.
 struct Ours<'a>(&'a mut Vec<Contender>);

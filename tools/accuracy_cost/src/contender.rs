@@ -5,6 +5,9 @@ use kit::study::errors::Errors;
 use kit::study::inputs::Uniforms;
 use kit::{Id, catalogue};
 
+/// Exponent of the power law that is measured.
+pub(crate) const EXPONENT: f64 = 20.0;
+
 /// What a `sample` in space cannot do without: its uniform and its azimuth, with no law between them.
 pub(crate) const PARTS: &str = "uniform and azimuth";
 

@@ -1,8 +1,8 @@
 //! The limits of time and of instructions, and what is reached.
 
 use crate::arrays::{self, DIRECTION, PAIRS, SAMPLE, SCALAR, WARP, name};
-use crate::catalog::{Counted, EXPONENT};
-use crate::contender::Contender;
+use crate::catalog::Counted;
+use crate::contender::{Contender, EXPONENT};
 use crate::time::times;
 use coslobe::Fast;
 use coslobe::batch::width::{Width, widest};

@@ -6,8 +6,7 @@
 
 use super::maths::{Libm, Maths, Micro, Std};
 use super::{About, spatial};
-use crate::catalog::EXPONENT;
-use crate::contender::Contender;
+use crate::contender::{Contender, EXPONENT};
 use kit::accuracy::format::Format;
 use kit::accuracy::reference::Id;
 use rand::distr::{Distribution, StandardUniform};

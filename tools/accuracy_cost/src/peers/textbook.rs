@@ -2,8 +2,7 @@
 
 use super::maths::{Maths, Std};
 use super::{About, push};
-use crate::catalog::EXPONENT;
-use crate::contender::{Contender, Measure};
+use crate::contender::{Contender, EXPONENT, Measure};
 use kit::accuracy::format::Format;
 use kit::accuracy::reference::{self, Direction, Id};
 use kit::study::cell::Cell;
