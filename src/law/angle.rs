@@ -29,8 +29,8 @@ pub trait Law<T: Real> {
     fn tails(&self, theta: T) -> Tails<T>;
 
     /// Density of a direction with no trigonometry: rad⁻¹ in 2D, sr⁻¹ in 3D. Reads cos θ alone
-    /// ([`CosPower`](crate::CosPower): the smaller of cos θ and sin θ). 0 below the horizon (cos θ < 0) and, in
-    /// 3D, for sin θ < 0.
+    /// (`CosPower`: the smaller of cos θ and sin θ). 0 below the horizon (cos θ < 0) and, in 3D,
+    /// for sin θ < 0.
     fn density(&self, at: CosSin<T>) -> T;
 
     /// (cos θ, sin θ) at the given tails.
@@ -45,7 +45,7 @@ pub trait Law<T: Real> {
     /// In closed form, so that 0/0 cannot arise: at cos θ = 0 it is its limit, ∞ for k > 1.
     /// With a constant sky the estimator has zero variance for k = 1, a bounded weight for
     /// k < 1, an unbounded weight of finite variance for 1 < k < 3, and **infinite variance** from
-    /// k = 3 ([`Ball`](crate::Ball)) on, since E\[w²\] ∝ ∫ cos²⁻ᵏθ d(cos θ) diverges; combine such a law with
+    /// k = 3 (`Ball`) on, since E\[w²\] ∝ ∫ cos²⁻ᵏθ d(cos θ) diverges; combine such a law with
     /// another through [`balance_heuristic`](crate::balance_heuristic). 2D: k < 3 is finite.
     fn lambert_weight(&self, at: CosSin<T>) -> T;
 
@@ -129,7 +129,7 @@ pub trait Law<T: Real> {
 
     /// [`pdf`](Law::pdf) of each θ.
     ///
-    /// Every `…_slice` gives the bits of as many scalar calls, at any width of vectors: see [`batch`].
+    /// Every `…_slice` gives the bits of as many scalar calls, however wide the vectors: [`batch`].
     ///
     /// # Errors
     /// If the slices have unequal lengths; then nothing is written. So with every `…_slice`.
