@@ -9,8 +9,8 @@
 //! | `f64` | two `next_u64` (128) | 2⁻¹²⁹ | 2⁻¹²⁹ to ½ | to nearest; exact below 2⁻⁷⁶ |
 //!
 //! Samples of [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell) need two uniforms, and
-//! take each from one half of those bits: from 2⁻³³ (`f32`) or 2⁻⁶⁵ (`f64`) on, which is a tail of
-//! the law of 2⁻⁴⁹ or 2⁻⁹⁷.
+//! take each from one half of those bits. A half reaches down to 2⁻³³ (`f32`) or 2⁻⁶⁵ (`f64`), and
+//! so the law's tails down to 2⁻⁴⁹ or 2⁻⁹⁷.
 //!
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
@@ -39,11 +39,10 @@ pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
 
 /// (cos φ, sin φ) of a uniform azimuth: the word n stands for n + ½ parts of the whole turn.
 ///
-/// Never on an axis; in 32 bits the words beside a diagonal round to it (`f32`: 128 words in all,
-/// such as
-/// 0x1ffffff0; `Precise<f32>`: 136; `f64`: none). Error of each component: 2.302 ulp for `f32`
-/// (exhaustive, worst word 0x150de96f), 2.222 ulp for `f64` (observed, 10⁶ words, worst
-/// 0xab03af3e485dfc88).
+/// Never on an axis. On a diagonal, where cosine and sine are equal, after rounding: 128 words of
+/// `f32`, such as 0x1ffffff0, 136 of `Precise<f32>`, none of `f64`. Error of each component: 2.302
+/// ulp for `f32` (exhaustive, worst word 0x150de96f), 2.222 ulp for `f64` (observed, 10⁶ words,
+/// worst 0xab03af3e485dfc88).
 #[inline]
 pub fn azimuth_from_bits<T: Real>(bits: TurnBits<T>) -> CosSin<T> {
     T::turn_from_bits(bits)

@@ -40,8 +40,8 @@ where
         [F::probability(lower), F::phase(turn)]
     }
 
-    /// Draws a direction around the unit vector `normal`, which any vector may be: how far its
-    /// length may be from 1 says [`FixedFrame::new`], which checks it.
+    /// Draws a direction around the unit vector `normal`. Any vector is safe; how far its length
+    /// may be from 1 is said, and checked, by [`FixedFrame::new`].
     ///
     /// The rotation rounds: a direction beside the horizon can come out on the surface or below it.
     /// Weigh it by the cosine and density of

@@ -8,10 +8,11 @@ use crate::{CosSin, Moments, Tails};
 
 /// What every law can tell of the angle θ from the axis +y, in radians.
 ///
-/// Support: \[−π/2, π/2\] for [`Planar`](crate::Planar) laws, \[0, π/2\] for [`Spatial`](crate::Spatial) ones, with the true π:
-/// `f32`'s `FRAC_PI_2` lies beyond it. All functions are total: NaN gives NaN; outside the
-/// support the density is 0, its logarithm −∞ and the cdf 0 or 1; a probability outside
-/// \[0, 1\] gives NaN. No input panics. The accuracy of each is in [`accuracy`](crate::accuracy).
+/// Support: \[−π/2, π/2\] for [`Planar`](crate::Planar) laws, \[0, π/2\] for
+/// [`Spatial`](crate::Spatial) ones, with the true π: `f32`'s `FRAC_PI_2` lies beyond it. All
+/// functions are total: NaN gives NaN; outside the support the density is 0, its logarithm −∞ and
+/// the cdf 0 or 1; a probability outside \[0, 1\] gives NaN. No input panics. The accuracy of each
+/// is in [`accuracy`](crate::accuracy).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a law in the number type `{T}`",
     label = "no law of a direction in `{T}`",
@@ -30,8 +31,8 @@ pub trait Law<T: Real> {
     fn tails(&self, theta: T) -> Tails<T>;
 
     /// Density of a direction with no trigonometry: rad⁻¹ in 2D, sr⁻¹ in 3D. Reads cos θ alone
-    /// ([`CosPower`](crate::CosPower): the smaller of cos θ and sin θ). 0 below the horizon (cos θ < 0) and, in
-    /// 3D, for sin θ < 0.
+    /// (`CosPower`: the smaller of cos θ and sin θ). 0 below the horizon (cos θ < 0) and, in 3D,
+    /// for sin θ < 0.
     fn density(&self, at: CosSin<T>) -> T;
 
     /// (cos θ, sin θ) at the given tails.
@@ -46,7 +47,7 @@ pub trait Law<T: Real> {
     /// In closed form, so that 0/0 cannot arise: at cos θ = 0 it is its limit, ∞ for k > 1.
     /// With a constant sky the estimator has zero variance for k = 1, a bounded weight for
     /// k < 1, an unbounded weight of finite variance for 1 < k < 3, and **infinite variance** from
-    /// k = 3 ([`Ball`](crate::Ball)) on, since E\[w²\] ∝ ∫ cos²⁻ᵏθ d(cos θ) diverges; combine such a law with
+    /// k = 3 (`Ball`) on, since E\[w²\] ∝ ∫ cos²⁻ᵏθ d(cos θ) diverges; combine such a law with
     /// another through [`balance_heuristic`](crate::balance_heuristic). 2D: k < 3 is finite.
     fn lambert_weight(&self, at: CosSin<T>) -> T;
 
@@ -110,7 +111,7 @@ pub trait Law<T: Real> {
         self.warp_tails(Tails::from_lower(u))
     }
 
-    /// (cos θ, sin θ) at sf = `q`: [`warp`](Law::warp) entered from the other end.
+    /// (cos θ, sin θ) at sf = `q`.
     #[inline]
     fn warp_sf(&self, q: T) -> CosSin<T> {
         self.warp_tails(Tails::from_upper(q))
@@ -130,8 +131,7 @@ pub trait Law<T: Real> {
 
     /// [`pdf`](Law::pdf) of each θ.
     ///
-    /// This and the other `…_slice` give the bits of as many scalar calls, for every input and at
-    /// every width of vectors: see [`batch`].
+    /// Every `…_slice` gives the bits of as many scalar calls, however wide the vectors: [`batch`].
     ///
     /// # Errors
     /// If the slices have unequal lengths; then nothing is written. So with every `…_slice`.

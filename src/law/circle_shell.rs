@@ -149,9 +149,8 @@ impl Point for CircleShell {
     }
 }
 
-/// With p the nearer tail, |sin θ| = 1 − 2p and cos²θ = 2p (1 + |sin θ|): the fewest operations
-/// that
-/// have all digits, for processors that must compute each.
+/// With p the nearer tail, |sin θ| = 1 − 2p and cos²θ = 2p (1 + |sin θ|): all digits in the fewest
+/// operations, which count where each is a routine.
 impl<T: Real> Planar<T> for CircleShell {
     #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {

@@ -160,8 +160,8 @@ impl Point for Disk {
 /// The shadow of a direction of [`Lambert`](crate::Lambert)'s law on a plane through the normal: no
 /// equation is solved.
 ///
-/// Lambert's directions fall on the ground evenly over a disk, so that sin θ = √u cos φ; with 1 − u
-/// as its own tail, cos²θ = (1 − u) + u sin²φ has all digits at both ends.
+/// The shadows of Lambert's directions fill a disk evenly, so that sin θ = √u cos φ. Of u the other
+/// tail 1 − u is known too, from which cos²θ = (1 − u) + u sin²φ has all digits at both ends.
 impl<T: Real> Planar<T> for Disk {
     #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {

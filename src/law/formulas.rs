@@ -182,7 +182,7 @@ impl<T: Real, L: Own + Phases<T>> Law<T> for L {
         )
     }
 
-    /// A power of the sine has many times its error, so that no margin holds for a quick one.
+    /// A power of the sine has many times its error, so that no margin holds for the quick phase.
     #[inline]
     fn unwarp_spherical(&self, d: [T; 3]) -> [T; 2] {
         T::rounded(

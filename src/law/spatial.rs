@@ -122,9 +122,8 @@ pub trait Spatial<T: Real>: Law<T> {
     /// The rotation rounds: each component, and the cosine of the direction to `normal`, is within
     /// 4 ulp of 1 of that of the direction drawn. A cosine smaller than that loses digits and
     /// may lose its sign, so that a direction beside the horizon can come out on the surface or
-    /// below
-    /// it: weigh it by the cosine and density of
-    /// [`sample_around_with_density`](Spatial::sample_around_with_density). Randomness as
+    /// below it. Weigh such samples by the cosine and density that
+    /// [`sample_around_with_density`](Spatial::sample_around_with_density) gives. Randomness as
     /// [`sample`](Spatial::sample).
     ///
     /// ```

@@ -183,8 +183,8 @@ fn lower_tail<W: Kernel>(cos: W, sin_squared: W) -> W {
     sin_squared * (W::ONE + cos + cos * cos) / (W::ONE + cos)
 }
 
-/// The larger of √u and v, which is below c as often as u is below c² and v below c: no cube root
-/// is taken.
+/// max(√u, v) of two uniforms: it is below c where u < c² and v < c, which has the probability c³,
+/// so that no cube root is taken.
 impl<T: Real> Spatial<T> for SphereShell {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
@@ -229,8 +229,8 @@ impl<T: Real> Spatial<T> for SphereShell {
     }
 }
 
-/// (cos θ, sin θ) with cos θ the larger of √u and v, of which each is a tail: sin²θ has the digits
-/// of the other.
+/// (cos θ, sin θ) with cos θ the larger of √u and v. Of both uniforms the other tail is known too,
+/// from which sin²θ = 1 − cos²θ has all its digits.
 #[inline(always)]
 fn larger<W: Kernel>(u: Tails<W>, v: Tails<W>) -> CosSin<W> {
     let (root, side) = (u.upper().sqrt(), v.upper());

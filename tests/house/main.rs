@@ -74,38 +74,53 @@ impl StartsWith for Vec<String> {
     }
 }
 
+/// The crates in which no file and no folder imports itself by way of others.
+const CRATES: [&str; 4] = [
+    "src",
+    "tools/accuracy_cost/src",
+    "tools/on_target/src",
+    "examples/atlas/src",
+];
+
+/// But for what C prints, of which two files share one table.
+fn without_c(mut sources: Vec<Source>) -> Vec<Source> {
+    sources.retain(|s| !s.module[0].starts_with("c_"));
+    sources
+}
+
 #[test]
 fn no_circle_of_files() {
-    let graph = sources()
-        .into_iter()
-        .map(|s| {
-            (
-                s.module.join("::"),
-                s.imports.iter().map(|i| i.join("::")).collect(),
-            )
-        })
-        .collect();
-    assert_eq!(circle(&graph), None);
+    for folder in CRATES {
+        let sources = without_c(sources(folder)).into_iter();
+        let graph = sources.map(|s| {
+            let imports = s.imports.iter().map(|i| i.join("::"));
+            (s.module.join("::"), imports.collect())
+        });
+        assert_eq!(circle(&graph.collect()), None, "{folder}");
+    }
 }
 
 /// At every folder, what stands in it is one node, with all that it holds.
 #[test]
 fn no_circle_of_folders() {
-    let sources = sources();
-    let mut folders = BTreeSet::from([Vec::new()]);
-    for source in &sources {
-        folders.extend((1..source.module.len()).map(|n| source.module[..n].to_vec()));
-    }
-    assert!(folders.len() > 8, "{folders:?}");
-    for folder in folders {
-        let parts: Vec<&str> = folder.iter().map(String::as_str).collect();
-        assert_eq!(circle(&within(&sources, &parts)), None, "in {parts:?}");
+    for crate_ in CRATES {
+        let sources = without_c(sources(crate_));
+        assert!(sources.len() > 10, "{crate_}");
+        let mut folders = BTreeSet::from([Vec::new()]);
+        for source in &sources {
+            folders.extend((1..source.module.len()).map(|n| source.module[..n].to_vec()));
+        }
+        for folder in folders {
+            let parts: Vec<&str> = folder.iter().map(String::as_str).collect();
+            let found = circle(&within(&sources, &parts));
+            assert_eq!(found, None, "{crate_}: in {parts:?}");
+        }
     }
 }
 
 #[test]
 fn no_room_imports_one_above_it() {
-    let sources = sources();
+    let sources = sources("src");
     for (room, order) in [(&[][..], &ROOMS[..]), (&["arithmetic"], &ARITHMETICS)] {
         for (from, tos) in within(&sources, room) {
             let place = |name: &str| {
@@ -122,7 +137,10 @@ fn no_room_imports_one_above_it() {
 /// Arithmetic knows no law, no generator and no number type of the public interface.
 #[test]
 fn arithmetic_knows_no_generator() {
-    for source in sources().iter().filter(|s| s.module[0] == "arithmetic") {
+    for source in sources("src")
+        .iter()
+        .filter(|s| s.module[0] == "arithmetic")
+    {
         assert!(!source.text.contains("rand_core"), "{:?}", source.module);
     }
 }
@@ -137,11 +155,13 @@ fn rooms_are_described() {
     }
 }
 
+/// Where Rust is.
+const FOLDERS: [&str; 5] = ["src", "tests", "examples", "tools", "fuzz"];
+
 /// What it costs to add a law or a number type: how many Rust files name one.
 #[test]
 fn a_law_and_a_type_are_named_in_few_files() {
-    let folders = ["src", "tests", "examples", "tools", "fuzz"];
-    let texts: Vec<_> = folders.iter().flat_map(|f| files(Path::new(f))).collect();
+    let texts: Vec<_> = FOLDERS.iter().flat_map(|f| files(Path::new(f))).collect();
     assert!(texts.len() > 300, "{}", texts.len());
     for (name, most) in [("SphereShell", MOST_OF_A_LAW), ("Fast", MOST_OF_A_TYPE)] {
         let naming = texts.iter().filter(|(_, text)| {
@@ -157,30 +177,42 @@ fn a_law_and_a_type_are_named_in_few_files() {
     }
 }
 
-/// The aim is 55 and 35.
-const MOST_OF_A_LAW: usize = 73;
-const MOST_OF_A_TYPE: usize = 60;
+/// What is reached; the aim was 55 and 35.
+const MOST_OF_A_LAW: usize = 45;
+const MOST_OF_A_TYPE: usize = 36;
 
-/// Generated files apart, about 200 lines and under 100 columns.
+/// Generated files apart, about 200 lines; in the crate itself under 100 columns.
 #[test]
 fn files_and_lines_are_short() {
-    for (path, text) in files(Path::new("src")) {
-        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let generated = name.starts_with("coefficients") || name == "table";
-        let most = if generated { 500 } else { MOST_LINES };
-        assert!(text.lines().count() <= most, "{}: too long", path.display());
-        for (i, line) in text.lines().enumerate() {
+    for (path, text) in FOLDERS.iter().flat_map(|f| files(Path::new(f))) {
+        let ours = path.starts_with("src");
+        let first = text.lines().next().unwrap_or_default();
+        let generated = ["not by hand", "do not edit", "Made by"]
+            .iter()
+            .any(|w| first.contains(w));
+        let c = [
+            "examples/c_api",
+            "tools/on_target/src/c.rs",
+            "tools/on_target/src/c_values.rs",
+        ];
+        let most = match generated {
+            true => 1000,
+            false if c.iter().any(|c| path.starts_with(c)) => 330,
+            false => MOST_LINES,
+        };
+        let lines = text.lines().count();
+        assert!(lines <= most, "{}: {lines} lines", path.display());
+        for (i, line) in text.lines().enumerate().filter(|_| ours && !generated) {
             let table = line.trim_start().starts_with("//! |");
+            let (at, columns) = (path.display(), line.chars().count());
             assert!(
-                generated || table || line.chars().count() <= MOST_COLUMNS,
-                "{}:{}: {} columns",
-                path.display(),
-                i + 1,
-                line.chars().count()
+                table || columns <= MOST_COLUMNS,
+                "{at}:{}: {columns} columns",
+                i + 1
             );
         }
     }
 }
 
-const MOST_LINES: usize = 315;
+const MOST_LINES: usize = 260;
 const MOST_COLUMNS: usize = 100;

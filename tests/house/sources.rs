@@ -1,4 +1,4 @@
-//! The modules of `src/` and what each imports.
+//! The modules of a crate and what each imports.
 
 use std::collections::BTreeMap;
 use std::fs::{read_dir, read_to_string};
@@ -119,15 +119,19 @@ fn faces(text: &str, module: &[String]) -> BTreeMap<String, Vec<String>> {
     handed
 }
 
-pub(crate) fn sources() -> Vec<Source> {
+/// The modules of the crate whose sources are in `folder`.
+pub(crate) fn sources(folder: &str) -> Vec<Source> {
     let mut texts = BTreeMap::new();
-    for (path, text) in files(Path::new("src")) {
-        let path = path.strip_prefix("src").unwrap().with_extension("");
+    for (path, text) in files(Path::new(folder)) {
+        let path = path.strip_prefix(folder).unwrap().with_extension("");
         let mut module: Vec<String> = path
             .iter()
             .map(|p| p.to_string_lossy().into_owned())
             .collect();
-        if module.last().is_some_and(|m| m == "mod" || m == "lib") {
+        if module
+            .last()
+            .is_some_and(|m| ["mod", "lib", "main"].contains(&m.as_str()))
+        {
             module.pop();
         }
         let test = |m: &String| m == "tests" || m == "hostile";
