@@ -48,10 +48,12 @@ fn page() -> String {
          # What it costs and what it sees\n\n\
          A test takes {RAM} bytes of stack beside the frames of its functions, and no \
          static memory.\n\n\
-         Instructions beside those of each `f32` direction of `Lambert` itself, by QEMU (`cargo run --release \
-         -p on_target -- self-test`, which compares them with these):\n\n\
-         | board | instructions a sample |\n|---|--:|\n\
-         | M0 | 4650 |\n| M3 | 2610 |\n| M4F | 593 |\n| RV32IMC | 2592 |\n\n\
+         Instructions beside those of each `f32` direction of `Lambert` itself, and the deepest stack of a whole test, \
+         painted: bytes, the test and its functions' frames included. By QEMU (`cargo run --release -p on_target -- \
+         self-test`, which compares them with these):\n\n\
+         | board | instructions a sample | stack of a whole test | in integers |\n|---|--:|--:|--:|\n\
+         | M0 | 4650 | 0 | 0 |\n| M3 | 2610 | 0 | 0 |\n| M4F | 593 | 0 | 0 |\n\
+         | RV32IMC | 2592 | 0 | 0 |\n\n\
          Caught, of {SEEDS} seeds, by `Alarm::OneInBillion` after so many samples; faults of a generator in \
          `Lambert` directions of `f32`, three words each.\n"
     );

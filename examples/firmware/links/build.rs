@@ -1,5 +1,5 @@
 //! What the image calls is said by `COSLOBE_CALLS`, an expression of type u32 in x, a u32, and rng: see
-//! `src/operations.rs` for what it may call. Nothing but that is in the image.
+//! `src/operations.rs` and `src/integers.rs` for what it may call. Nothing but that is in the image.
 
 use std::{env, fs, path::Path};
 
@@ -12,7 +12,7 @@ fn main() {
         Path::new(&out).join("calls.rs"),
         format!(
             "#[allow(unused_imports)] // which ones, the calls decide\n\
-             use {{links::operations::*, coslobe::*, scenes::*}};\n\
+             use {{links::{{integers::*, operations::*}}, coslobe::*, scenes::*}};\n\
              #[allow(unused_variables)]\n\
              pub(crate) fn calls(x: u32, rng: &mut Words) -> u32 {{\n    {calls}\n}}\n"
         ),

@@ -114,6 +114,7 @@ fn biased(word: u32) -> u32 {
 }
 
 /// PCG with a fault.
+#[derive(Clone)]
 pub struct Generator {
     rng: Pcg32,
     count: u32,

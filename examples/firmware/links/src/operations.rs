@@ -1,10 +1,6 @@
 //! Calls to the library, each result of which the image's result depends on.
 
-use ::fixed::traits::Fixed as Format;
-use ::fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};
 use core::convert::Infallible;
-use coslobe::integers::Fixed16Law;
-use coslobe::integers::FixedLaw;
 use coslobe::rand_core::TryRng;
 use coslobe::*;
 
@@ -86,91 +82,6 @@ pub fn spatial_sampler<T: Number>(law: impl Spatial<T>, rng: &mut Words) -> u32 
     (d[0] + d[1] + d[2]).to()
 }
 
-/// A sampler in fixed point alone.
-pub fn fixed_sampler<L: FixedLaw>(law: L, rng: &mut Words) -> u32
-where
-    L::Direction: AsRef<[I1F31]>,
-{
-    let d = Fixed(law).sample(rng);
-    d.as_ref().iter().fold(0, |sum, c| sum ^ c.to_bits() as u32)
-}
-
-/// `CosPower`'s sampler in fixed point alone.
-pub fn fixed_power_sampler(x: u32, rng: &mut Words) -> u32 {
-    fixed_sampler(fixed_power(x), rng)
-}
-
-fn fixed_power(x: u32) -> coslobe::integers::CosPower {
-    coslobe::integers::CosPower::new(U16F16::from_bits(x))
-}
-
-/// Every operation in fixed point, and checks of it.
-pub fn fixed_everything(x: u32, rng: &mut Words) -> u32 {
-    fixed_law(Disk, x, rng)
-        ^ fixed_law(CircleShell, x, rng)
-        ^ fixed_law(CircleArc, x, rng)
-        ^ fixed_law(Ball, x, rng)
-        ^ fixed_law(SphereShell, x, rng)
-        ^ fixed_law(Lambert, x, rng)
-        ^ fixed_law(fixed_power(x), x, rng)
-        ^ u32::from(sound(self_test::fixed(Fixed(Disk)), rng))
-        ^ u32::from(sound(self_test::fixed(Fixed(Lambert)), rng))
-        ^ u32::from(sound(self_test::fixed(Fixed(fixed_power(x))), rng))
-}
-
-fn fixed_law<L>(law: L, x: u32, rng: &mut Words) -> u32
-where
-    L: FixedLaw<Density: Format<Bits = u32>>,
-    L::Direction: AsRef<[I1F31]>,
-{
-    let (fixed, p, theta) = (Fixed(law), U0F32::from_bits(x), I0F32::from_bits(x as i32));
-    let (a, b) = (fixed.warp(p), fixed.warp_sf(p));
-    let unsigned = fixed.pdf(theta).to_bits()
-        ^ fixed.cdf(theta).to_bits()
-        ^ fixed.sf(theta).to_bits()
-        ^ fixed.unwarp(a).to_bits()
-        ^ fixed.unwarp_sf(b).to_bits()
-        ^ fixed.density(a).to_bits();
-    let signed = fixed.quantile(p).to_bits() ^ fixed.isf(p).to_bits() ^ b.sin.to_bits();
-    unsigned ^ signed as u32 ^ fixed_sampler(law, rng)
-}
-
-/// A sampler in 16 bits alone.
-pub fn fixed16_sampler<L>(law: L, rng: &mut Words) -> u32
-where
-    L: Fixed16Law<Direction: AsRef<[I1F15]>>,
-{
-    let d = Fixed16(law).sample(rng);
-    d.as_ref().iter().fold(0, |sum, c| sum ^ c.to_bits() as u32)
-}
-
-/// Every operation in 16 bits.
-pub fn fixed16_everything(x: u32, rng: &mut Words) -> u32 {
-    fixed16_law(Disk, x, rng)
-        ^ fixed16_law(CircleShell, x, rng)
-        ^ fixed16_law(CircleArc, x, rng)
-        ^ fixed16_law(Ball, x, rng)
-        ^ fixed16_law(SphereShell, x, rng)
-        ^ fixed16_law(Lambert, x, rng)
-}
-
-fn fixed16_law<L>(law: L, x: u32, rng: &mut Words) -> u32
-where
-    L: Fixed16Law<Direction: AsRef<[I1F15]>>,
-{
-    let short = Fixed16(law);
-    let (p, theta) = (U0F16::from_bits(x as u16), I0F16::from_bits(x as i16));
-    let (a, b) = (short.warp(p), short.warp_sf(p));
-    let unsigned = short.pdf(theta).to_bits()
-        ^ short.cdf(theta).to_bits()
-        ^ short.sf(theta).to_bits()
-        ^ short.unwarp(a).to_bits()
-        ^ short.unwarp_sf(b).to_bits()
-        ^ short.density(a).to_bits();
-    let signed = short.quantile(p).to_bits() ^ short.isf(p).to_bits() ^ b.sin.to_bits();
-    u32::from(unsigned) ^ signed as u32 ^ fixed16_sampler(law, rng)
-}
-
 /// What a Cortex-M0 needs a routine for.
 pub fn long_product(x: u32, rng: &mut Words) -> u32 {
     ((u64::from(x) * u64::from(rng.0)) >> 32) as u32
@@ -230,7 +141,7 @@ fn law<T: Real>(law: &impl Law<T>, x: T) -> T {
         + m.var_theta
 }
 
-fn sound<S: self_test::Subject>(mut test: self_test::Test<S>, rng: &mut Words) -> bool {
+pub(crate) fn sound<S: self_test::Subject>(mut test: self_test::Test<S>, rng: &mut Words) -> bool {
     test.run(rng, self_test::SAMPLES);
     test.verdict(self_test::Alarm::OneInBillion).is_ok()
 }

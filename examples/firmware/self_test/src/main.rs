@@ -3,6 +3,9 @@
 #![no_std]
 #![no_main]
 
+use core::hint::black_box;
+use coslobe::self_test::{self, Alarm, Subject, Test};
+use coslobe::{Fixed, Lambert, Spatial};
 use defmt::{error, info};
 use defmt_semihosting as _; // carries what defmt logs to the emulator's output
 use kit::self_test as cases;
@@ -20,21 +23,21 @@ fn main() -> ! {
         Ok(report) => info!("passed: {}", report),
         Err(fault) => error!("failed: {}", fault),
     }
-    if let Some(cost) = cost(case) {
-        info!("instructions a sample: {}", cost);
+    if case == "cost"
+        && let Some(rng) = cases::generator("good")
+    {
+        info!("instructions a sample: {}", instructions(rng.clone()));
+        let test = || self_test::spatial::<f32, _>(Lambert);
+        info!("bytes of stack: {}", stack(test, rng.clone()));
+        let test = || self_test::fixed(Fixed(Lambert));
+        info!("bytes of stack in integers: {}", stack(test, rng));
     }
     board::exit(verdict.is_ok())
 }
 
 /// Instructions of the checked and counted sample beyond those of the sample alone.
-fn cost(case: &str) -> Option<u32> {
-    use core::hint::black_box;
-    use coslobe::{Lambert, Spatial, self_test};
+fn instructions(mut rng: cases::Generator) -> u32 {
     const N: u16 = 4096;
-    if case != "cost" {
-        return None;
-    }
-    let mut rng = cases::generator("good")?;
     let mut ticks = board::Ticks::start();
     for _ in 0..N {
         black_box::<[f32; 3]>(Spatial::sample(black_box(&Lambert), &mut rng));
@@ -46,5 +49,14 @@ fn cost(case: &str) -> Option<u32> {
     let checked = ticks.elapsed();
     black_box(&test);
     let more = u64::from(checked - alone) * u64::from(board::Ticks::INSTRUCTIONS_IN_TWO);
-    Some((more / 2 / u64::from(N)) as u32)
+    (more / 2 / u64::from(N)) as u32
+}
+
+/// The deepest of a whole test, itself included.
+fn stack<S: Subject>(test: impl Fn() -> Test<S>, mut rng: cases::Generator) -> usize {
+    board::stack(&mut || {
+        let mut test = test();
+        test.run(&mut rng, self_test::SAMPLES);
+        let _ = black_box(test.verdict(Alarm::OneInBillion));
+    })
 }
