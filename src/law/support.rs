@@ -15,8 +15,8 @@ pub(crate) fn within<T: Scalar>(x: T, inside: bool, value: T, outside: T) -> T {
     }
 }
 
-/// `value` of a power where 0 ≤ θ ≤ π/2, `outside` elsewhere, and NaN where θ is NaN. No branch: around so
-/// many operations it would keep a loop over slices from vectors.
+/// `value` of a power where 0 ≤ θ ≤ π/2, `outside` elsewhere, and NaN where θ is NaN. No branch:
+/// around so many operations it would keep a loop over slices from vectors.
 #[inline(always)]
 pub(crate) fn spatial_power<T: Scalar>(theta: T, value: T, outside: T) -> T {
     let inside = (theta >= T::ZERO) & (theta <= T::HALF_PI_DOWN);
