@@ -10,7 +10,7 @@ use crate::arithmetic::native::moment::cosine_integrals;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::power::ln;
 use crate::law::support::{
-    spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
+    spatial_direction_power, spatial_direction_tails, spatial_power, spatial_tails,
 };
 use crate::number::Real;
 use crate::{CosSin, Moments, Tails};
@@ -148,7 +148,7 @@ impl<W: Kernel> Formulas<W> for Lobe<W> {
     fn pdf(&self, theta: W) -> W {
         let (at, sin) = W::cosine_at_angle(theta);
         let p = W::power_times(self.k, at, self.scale, sin);
-        within(theta, spatial(theta), p, W::ZERO)
+        spatial_power(theta, p, W::ZERO)
     }
 
     /// Between −1 and 1 the error is bounded in ulps of 1, not of the result: its terms cancel
@@ -157,7 +157,7 @@ impl<W: Kernel> Formulas<W> for Lobe<W> {
     fn ln_pdf(&self, theta: W) -> W {
         let (at, _) = W::cosine_at_angle(theta);
         let p = W::ln_power_times_sine(self.k, at, self.ln_scale);
-        within(theta, spatial(theta), p, -W::INFINITY)
+        spatial_power(theta, p, -W::INFINITY)
     }
 
     #[inline(always)]
@@ -168,7 +168,7 @@ impl<W: Kernel> Formulas<W> for Lobe<W> {
 
     #[inline(always)]
     fn density(&self, at: CosSin<W>) -> W {
-        spatial_direction(at, self.per_steradian(W::cosine(at)))
+        spatial_direction_power(at, self.per_steradian(W::cosine(at)))
     }
 
     /// cos θ = (1 − u)^(1/(k+1)).
@@ -185,13 +185,13 @@ impl<W: Kernel> Formulas<W> for Lobe<W> {
     #[inline(always)]
     fn lambert_weight(&self, at: CosSin<W>) -> W {
         let weight = W::power_times(self.weight_power, W::cosine(at), self.weight_scale, W::ONE);
-        spatial_direction(at, weight)
+        spatial_direction_power(at, weight)
     }
 
     #[inline(always)]
     fn density_at(&self, theta: W) -> W {
         let (at, _) = W::cosine_at_angle(theta);
-        within(theta, spatial(theta), self.per_steradian(at), W::ZERO)
+        spatial_power(theta, self.per_steradian(at), W::ZERO)
     }
 }
 

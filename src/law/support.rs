@@ -15,6 +15,15 @@ pub(crate) fn within<T: Scalar>(x: T, inside: bool, value: T, outside: T) -> T {
     }
 }
 
+/// `value` of a power where 0 ≤ θ ≤ π/2, `outside` elsewhere, and NaN where θ is NaN. No branch:
+/// around so many operations it would keep a loop over slices from vectors.
+#[inline(always)]
+pub(crate) fn spatial_power<T: Scalar>(theta: T, value: T, outside: T) -> T {
+    let inside = (theta >= T::ZERO) & (theta <= T::HALF_PI_DOWN);
+    let value = T::select(inside, value, outside);
+    T::select(theta.is_nan(), theta, value)
+}
+
 /// The angle, or the last number inside the support if rounding put it beyond ±π/2.
 #[inline(always)]
 pub(crate) fn into_support<T: Scalar>(theta: T) -> T {
@@ -49,6 +58,15 @@ pub(crate) fn planar_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
 #[inline(always)]
 pub(crate) fn spatial_direction<T: Scalar>(at: CosSin<T>, value: T) -> T {
     direction(at, at.cos >= T::ZERO && at.sin >= T::ZERO, value)
+}
+
+/// As [`spatial_direction`], of a power, with no branch.
+#[inline(always)]
+pub(crate) fn spatial_direction_power<T: Scalar>(at: CosSin<T>, value: T) -> T {
+    let inside = (at.cos >= T::ZERO) & (at.sin >= T::ZERO);
+    let value = T::select(inside, value + T::ZERO, T::ZERO);
+    let value = T::select(at.sin.is_nan(), at.sin, value);
+    T::select(at.cos.is_nan(), at.cos, value)
 }
 
 #[inline(always)]

@@ -20,8 +20,8 @@ pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
     };
     let x2 = x * x;
     let x4 = x2 * x2;
-    // From the last term on; the sum that the next one belongs to stands first. Adapters such as `step_by`
-    // are not always inlined, and a loop over slices would be none of vectors.
+    // From the last term on; the sum that the next one belongs to stands first. Adapters such as
+    // `step_by` are not always inlined, and a loop over slices would be none of vectors.
     let sums = rest.iter().rev();
     let [s3, s2, s1, s0] = sums.fold([s3, s2, s1, s0], |[next, a, b, c], &k| {
         [a, b, c, next * x4 + k]

@@ -137,7 +137,7 @@ pub(crate) fn ln<T: Native>(x: Pair<T>) -> Pair<T> {
 
 /// k·ln cos θ + ln sin θ + c, −∞ where cos θ or sin θ is 0. Summed in pairs, since its terms
 /// cancel where the density passes 1.
-#[inline]
+#[inline(always)]
 pub(crate) fn ln_power_times_sine<T: Native>(k: Pair<T>, at: Cosine<T>, c: Pair<T>) -> T {
     // In quarters: log₂ overflows before ln does.
     let quarter = Pair {
@@ -147,10 +147,7 @@ pub(crate) fn ln_power_times_sine<T: Native>(k: Pair<T>, at: Cosine<T>, c: Pair<
     let cos = log_power(quarter, log_cosine(at));
     let other = Cosine { far: !at.far, ..at };
     let sin = log_cosine(other);
-    let finite = cos.hi > -T::INFINITY;
-    if sin.nil || !finite {
-        return -T::INFINITY;
-    }
+    let nil = sin.nil | (cos.hi == -T::INFINITY);
     let sin = Pair {
         hi: sin.log.hi * sin.share * T::QUARTER,
         lo: sin.log.lo * sin.share * T::QUARTER,
@@ -165,5 +162,5 @@ pub(crate) fn ln_power_times_sine<T: Native>(k: Pair<T>, at: Cosine<T>, c: Pair<
         .add(c)
         .value();
     // An overflow leaves ∞ − ∞ in a pair.
-    if ln.is_nan() { -T::INFINITY } else { ln }
+    T::select(nil | ln.is_nan(), -T::INFINITY, ln)
 }

@@ -3,6 +3,7 @@
 use crate::arrays;
 use crate::contender::{Contender, vectors};
 use coslobe::batch::width::Width;
+use kit::Id;
 use kit::study::count::{self, Missing, counts_of};
 use std::error::Error;
 
@@ -70,8 +71,13 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
 /// of vectors.
 fn no_vectors(list: &[Contender], counted: &[f64]) -> Vec<String> {
     let all = || list.iter().zip(counted);
-    // A generator's words come one after the other, and `Fast` is not made for hosts.
-    let vectors = |c: &Contender| c.operation != "sample_slice" && c.name == c.format;
+    // A generator's words come one after the other, `Fast` is not made for hosts, and near the axis ln cos θ
+    // is `libm`'s log1p, which branches.
+    let branches = |c: &Contender| {
+        c.operation == "ln_pdf_slice" && matches!(c.law, Id::Disk | Id::CircleShell)
+    };
+    let vectors =
+        |c: &Contender| c.operation != "sample_slice" && c.name == c.format && !branches(c);
     let wide = all().filter(|(c, _)| c.width == Some(Width::Avx2) && vectors(c));
     let pairs = wide.filter_map(|(c, &wide)| {
         let same = |n: &Contender| n.law == c.law && n.operation == c.operation && n.name == c.name;
