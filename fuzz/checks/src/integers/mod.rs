@@ -214,16 +214,17 @@ fn quantiles<L: Law>(law: L, id: Id, word: u32) {
 
 /// Words of a sample, as the table in the documentation of `coslobe::integers` has them.
 fn words_of<L: Law>(id: Id) -> usize {
-    let (long, short) = match id {
-        Id::Lambert => (3, 2),
-        Id::SphereShell => (4, 2),
-        Id::Ball => (5, 3),
-        Id::Disk => (3, 2),
-        Id::CircleShell => (2, 1),
-        Id::CircleArc => (1, 1),
-        Id::CosPower(_) => (3, 0),
-    };
-    if L::SHORT { short } else { long }
+    if let Id::CosPower(_) = id {
+        return 3;
+    }
+    // cos θ is the largest of k + 1 uniform numbers, of half a word each in the short format.
+    let k = id.exponent() as usize;
+    match (L::SHORT, id.planar()) {
+        (false, true) => k + 1,
+        (false, false) => k + 2,
+        (true, true) => k.max(1),
+        (true, false) => (k + 3) / 2,
+    }
 }
 
 fn draws<L: Law>(law: L, id: Id, words: &Words) {
