@@ -75,7 +75,12 @@ impl Kernel for Fast<f32> {
 
     #[inline(always)]
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
-        if a.0 < f32::MIN_POSITIVE {
+        let tiny = a.0 < f32::MIN_POSITIVE;
+        if root::BY_SELECTS {
+            let up = Self::select(tiny, Fast(f32::ROOT_UP), Self::ONE);
+            let down = Self::select(tiny, Fast(f32::ROOT_DOWN), Self::ONE);
+            Scalar::sqrt(f(a * up)) * down
+        } else if tiny {
             root_of_subnormal(a, f)
         } else {
             Scalar::sqrt(f(a))

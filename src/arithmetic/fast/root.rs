@@ -6,26 +6,47 @@ use crate::arithmetic::native::sqrt::unusual;
 /// 2²⁴: makes a subnormal number normal.
 pub(crate) const UP: f32 = 16_777_216.0;
 
+/// Whether rare cases are selected, as loops of vectors need, not branched to: on 32-bit processors
+/// a product may be a routine. Always the same bits.
+pub(crate) const BY_SELECTS: bool = cfg!(target_pointer_width = "64");
+
+/// ∛x for finite x > 0, any other x as it is. Of no number up to 1 it is above 1.
+#[inline]
+pub(crate) fn cbrt(x: f32) -> f32 {
+    const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
+    const POSITIVE: u32 = f32::INFINITY.to_bits() - 1;
+    let bits = x.to_bits();
+    if BY_SELECTS {
+        let up = if x < f32::MIN_POSITIVE { x * UP } else { x };
+        let less = (bits.wrapping_sub(LEAST) as i32 >> 31) as u32 & 24;
+        let root = of_normal(up.to_bits(), 254u32.wrapping_sub(less));
+        f32::from_bits(if bits.wrapping_sub(1) < POSITIVE {
+            root
+        } else {
+            bits
+        })
+    } else if unusual(bits) {
+        of_unusual(x)
+    } else {
+        f32::from_bits(of_normal(bits, 254))
+    }
+}
+
 #[cold]
 fn of_unusual(x: f32) -> f32 {
-    if x < 0.0 {
-        f32::NAN
-    } else if x > 0.0 && x < f32::MIN_POSITIVE {
-        cbrt(x * UP) * (1.0 / 256.0)
+    if x > 0.0 && x < f32::MIN_POSITIVE {
+        f32::from_bits(of_normal((x * UP).to_bits(), 230))
     } else {
         x
     }
 }
 
-/// ∛x for x ≥ 0; ±0 and +∞ as they are, NaN below 0. Of no number up to 1 it is above 1.
-#[inline]
-pub(crate) fn cbrt(x: f32) -> f32 {
+/// Of the pattern of a normal number; some number of others. `bias` is twice the exponent's, less
+/// what the number was scaled up by.
+#[inline(always)]
+fn of_normal(bits: u32, bias: u32) -> u32 {
     const ONE: u32 = 1.0f32.to_bits();
-    let bits = x.to_bits();
-    if unusual(bits) {
-        return of_unusual(x);
-    }
-    let n = (bits >> 23).wrapping_add(254);
+    let n = (bits >> 23).wrapping_add(bias);
     let third = n.wrapping_mul(171) >> 9; // n / 3 for n ≤ 509
     let rest = n.wrapping_sub(third.wrapping_mul(3));
     // 2^(0, 1/3, 2/3) in Q15.
@@ -36,5 +57,5 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     let root = CBRT.at(f as i32).wrapping_add(0x8000) >> 16;
     let significand = root.wrapping_mul(part) >> 7;
     let root = significand.wrapping_add(third.wrapping_sub(1) << 23);
-    f32::from_bits(if bits <= ONE && root > ONE { ONE } else { root })
+    if bits <= ONE && root > ONE { ONE } else { root }
 }

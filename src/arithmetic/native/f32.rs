@@ -105,6 +105,7 @@ impl Float for f32 {
     const NEGLIGIBLE: f32 = power_of_two(-18);
     const ROOT_UP: f32 = power_of_two(24);
     const ROOT_DOWN: f32 = power_of_two(-12);
+    const ROOT_EXPONENT: i32 = 24;
     const COUNTS_QUARTERS: f32 = power_of_two(21);
     const CBRT_UP: f32 = power_of_two(60);
     const CBRT_DOWN: f32 = power_of_two(-20);
@@ -177,10 +178,16 @@ impl Float for f32 {
         let tiny = self < f32::MIN_POSITIVE;
         let x = f32::select(tiny, self * power_of_two(24), self);
         let shift = if tiny { -24 } else { 0 };
-        // Exponent of x over the least significand.
-        let e = (x.to_bits().wrapping_sub(least.to_bits()) as i32) >> 23;
-        let m = f32::from_bits(x.to_bits().wrapping_sub((e << 23) as u32));
+        let (m, e) = x.split_normal(least);
         (m, e.wrapping_add(shift))
+    }
+
+    #[inline(always)]
+    fn split_normal(self, least: f32) -> (f32, i32) {
+        // Exponent over the least significand.
+        let e = (self.to_bits().wrapping_sub(least.to_bits()) as i32) >> 23;
+        let m = f32::from_bits(self.to_bits().wrapping_sub((e << 23) as u32));
+        (m, e)
     }
 
     #[inline(always)]

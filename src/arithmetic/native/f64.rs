@@ -81,6 +81,7 @@ impl Float for f64 {
     const NEGLIGIBLE: f64 = power_of_two(-34);
     const ROOT_UP: f64 = power_of_two(54);
     const ROOT_DOWN: f64 = power_of_two(-27);
+    const ROOT_EXPONENT: i32 = 54;
     const COUNTS_QUARTERS: f64 = power_of_two(50);
     const CBRT_UP: f64 = power_of_two(300);
     const CBRT_DOWN: f64 = power_of_two(-100);
@@ -152,10 +153,16 @@ impl Float for f64 {
         let tiny = self < f64::MIN_POSITIVE;
         let x = f64::select(tiny, self * power_of_two(53), self);
         let shift = if tiny { -53 } else { 0 };
-        // Exponent of x over the least significand.
-        let e = (x.to_bits().wrapping_sub(least.to_bits()) as i64) >> 52;
-        let m = f64::from_bits(x.to_bits().wrapping_sub((e << 52) as u64));
-        (m, (e as i32).wrapping_add(shift))
+        let (m, e) = x.split_normal(least);
+        (m, e.wrapping_add(shift))
+    }
+
+    #[inline(always)]
+    fn split_normal(self, least: f64) -> (f64, i32) {
+        // Exponent over the least significand.
+        let e = (self.to_bits().wrapping_sub(least.to_bits()) as i64) >> 52;
+        let m = f64::from_bits(self.to_bits().wrapping_sub((e << 52) as u64));
+        (m, e as i32)
     }
 
     #[inline(always)]

@@ -9,6 +9,8 @@ pub trait Float: Scalar {
     /// A power of 4 that makes every subnormal normal, and the inverse of its root.
     const ROOT_UP: Self;
     const ROOT_DOWN: Self;
+    /// The exponent of `ROOT_UP`.
+    const ROOT_EXPONENT: i32;
     /// A cube root is taken of x·`CBRT_UP`, normal for every x > 0, and scaled back by `CBRT_DOWN`.
     const CBRT_UP: Self;
     const CBRT_DOWN: Self;
@@ -63,6 +65,8 @@ pub trait Float: Scalar {
     fn nearest(self) -> (Self, i32);
     /// 2ⁿ for an exponent n of the format's normal numbers; some number for others.
     fn exp2(n: i32) -> Self;
+    /// As [`split`](Float::split), for normal self alone.
+    fn split_normal(self, least: Self) -> (Self, i32);
     /// (m, e) with self = m·2ᵉ and m from `least` to twice that, for finite self > 0; some numbers
     /// for others.
     fn split(self, least: Self) -> (Self, i32);

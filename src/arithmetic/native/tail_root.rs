@@ -10,7 +10,7 @@
 use super::exp2::{exp2_m1, whole_and_rest};
 use super::format::Native;
 use super::pair::Pair;
-use super::poly::horner;
+use super::poly::{by_fours, horner};
 use crate::{CosSin, Tails};
 
 /// What n ≥ 1 needs for it, worked out once.
@@ -20,7 +20,7 @@ pub struct TailRoot<T> {
     head: T,
     rest: T,
     /// 2/n · log₂ e.
-    slope: Pair<T>,
+    slope: T,
     /// `up` = 2/n · 4ⁱ, `down` = 2⁻ⁱ: sin²θ itself may underflow.
     up: T,
     down: T,
@@ -35,7 +35,7 @@ impl<T: Native> TailRoot<T> {
         TailRoot {
             head,
             rest: (share.hi - head) + share.lo,
-            slope: share.div(T::CONSTANTS.ln_2),
+            slope: share.div(T::CONSTANTS.ln_2).value(),
             up: two / m * T::exp2(60i32.wrapping_sub(e & 1)),
             down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
@@ -44,15 +44,15 @@ impl<T: Native> TailRoot<T> {
     #[inline(always)]
     pub(crate) fn at(self, p: Tails<T>) -> CosSin<T> {
         let (lower, upper) = (p.lower(), p.upper());
-        let (m, e) = upper.split(T::ROOT_HALF);
-        let e = T::from_i32(e);
-        // −lower at e = 0, 1 − 2·lower at e = −1, without a choice for random bits to make.
-        let from_lower = -(lower * (T::ONE - e)) - e;
-        // NaN takes the side that keeps it.
-        let f = T::select(upper <= T::HALF, m - T::ONE, from_lower);
+        // Up, so that no number is subnormal.
+        let (m, e) = (upper * T::ROOT_UP).split_normal(T::ROOT_HALF);
+        let e = T::from_i32(e.wrapping_sub(T::ROOT_EXPONENT));
+        // What rounding took from an upper tail beyond ½: for it, e is 0 or −1.
+        let lost = (T::ONE - upper) - lower;
+        let f = (m - T::ONE) + lost * (T::ONE - e);
         let ln = ln_1p(f);
         let lead = e * self.head;
-        let trail = ln * self.slope.hi + (ln * self.slope.lo + e * self.rest);
+        let trail = ln * self.slope + e * self.rest;
         let y = Pair {
             hi: lead,
             lo: trail,
@@ -85,5 +85,11 @@ fn ln_1p<T: Native>(f: T) -> T {
     let s = f / (T::ONE + T::ONE + f);
     let w = s * s;
     let half_square = f * f * T::HALF;
-    f - (half_square - s * (half_square + w * horner(w, T::TABLE.atanh)))
+    let table = T::TABLE.atanh;
+    let rest = if table.len() > 4 {
+        by_fours(w, table)
+    } else {
+        horner(w, table)
+    };
+    f - (half_square - s * (half_square + w * rest))
 }

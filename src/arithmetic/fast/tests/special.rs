@@ -46,7 +46,7 @@ fn special_values() {
     let inf = f32::INFINITY;
     let f = root::cbrt;
     assert_eq!((f(0.0), f(inf)), (0.0, inf));
-    assert!(f(-0.0).is_sign_negative() && f(-1.0).is_nan() && f(-inf).is_nan());
+    assert!(f(-0.0).is_sign_negative() && f(f32::NAN).is_nan());
     // Subnormals lie in order between 0 and the least normal number.
     let (least, most) = (f(f32::from_bits(1)), f(f32::from_bits(0x007F_FFFF)));
     assert!(0.0 < least && least < most && most <= f(TINY) * 1.001);

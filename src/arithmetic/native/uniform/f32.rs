@@ -2,7 +2,6 @@
 
 use super::BY_SUMS;
 
-const TWO_TO_MINUS_33: f32 = f32::from_bits((127 - 33) << 23);
 const TWO_TO_MINUS_47: f32 = f32::from_bits((127 - 47) << 23);
 const TWO_TO_MINUS_65: f32 = f32::from_bits((127 - 65) << 23);
 
@@ -58,8 +57,14 @@ pub(crate) fn tail_of_half(n: u32) -> f32 {
         let high = f32::from_bits(HIGH | odd >> 16) - f32::from_bits(HIGH);
         high + (f32::from_bits(LOW | odd & 0xFFFF) - f32::from_bits(LOW))
     } else {
-        odd as f32 * TWO_TO_MINUS_33
+        down_33(odd as f32)
     }
+}
+
+/// x·2⁻³³ for |x| ≥ 1: in the exponent, since a product may be a routine.
+#[inline(always)]
+fn down_33(x: f32) -> f32 {
+    f32::from_bits(x.to_bits().wrapping_sub(33 << 23))
 }
 
 /// [`tail`] by 32-bit integers alone.
@@ -101,7 +106,7 @@ pub(crate) fn turn(bits: u32) -> (u32, f32) {
 
 #[inline(always)]
 fn converted_turn(bits: u32) -> f32 {
-    parts_of_turn(bits).1 as f32 * TWO_TO_MINUS_33
+    down_33(parts_of_turn(bits).1 as f32)
 }
 
 #[inline(always)]
