@@ -89,8 +89,8 @@ pub trait Tangent<T: Real>: Law<T> {
     /// [`ln_point_density`](Tangent::ln_point_density). Error < 4 ulp; of `Precise` at most 0.55.
     fn point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T;
 
-    /// Natural logarithm of [`point_density`](Tangent::point_density), finite for every radius, even
-    /// where the density underflows.
+    /// Natural logarithm of [`point_density`](Tangent::point_density), finite for every radius,
+    /// even where the density underflows.
     /// Error < 4 ulp of its largest term; of `Precise` at most 0.55.
     fn ln_point_density(&self, rho: Radius<T>, at: CosSin<T>, r: T) -> T;
 
