@@ -6,7 +6,7 @@ use core::fmt::Debug;
 use coslobe::rand_core::Rng;
 use coslobe::{
     Ball, CircleArc, CircleShell, CosPower, CosSin, Disk, Lambert, Law, Planar, Spatial,
-    SphereShell,
+    SphereShell, uniform,
 };
 
 /// A law that draws directions around an axis in the world of `V`.
@@ -27,12 +27,17 @@ pub trait Reads {
     const SINE: bool = false;
     /// It is the law of diffuse reflection itself, whose samples all weigh 1.
     const DIFFUSE: bool = false;
+    /// Its samples split a word, each number type in a way of its own. By its warp all types draw the same
+    /// directions, so that their pictures can be compared.
+    const SPLITS: bool = false;
 }
 
 impl Reads for Lambert {
     const DIFFUSE: bool = true;
 }
-impl Reads for SphereShell {}
+impl Reads for SphereShell {
+    const SPLITS: bool = true;
+}
 impl Reads for Ball {}
 impl<T: Number> Reads for CosPower<T> {
     const SINE: bool = true;
@@ -40,7 +45,9 @@ impl<T: Number> Reads for CosPower<T> {
 impl Reads for CircleShell {
     const DIFFUSE: bool = true;
 }
-impl Reads for Disk {}
+impl Reads for Disk {
+    const SPLITS: bool = true;
+}
 impl Reads for CircleArc {}
 
 /// The pair of `d` around `axis`, as far as the law `L` reads it.
@@ -56,9 +63,22 @@ fn pair<L: Reads, V: Vector>(axis: V, d: V) -> CosSin<V::T> {
     }
 }
 
+#[inline(always)]
+fn warped<L: Law<V::T>, V: Vector, R: Rng>(
+    law: &L,
+    axis: V,
+    rng: &mut R,
+) -> (V, CosSin<V::T>, V::T) {
+    let at = law.warp_tails(uniform::tails::<V::T, _>(rng));
+    (axis.around(at, rng), at, law.density(at))
+}
+
 impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 3]> for L {
     #[inline(always)]
     fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> ([T; 3], CosSin<T>, T) {
+        if L::SPLITS {
+            return warped(self, axis, rng);
+        }
         let s = self.sample_around_with_density(axis, rng);
         (s.direction.drawn(), s.at, s.density)
     }
@@ -82,6 +102,9 @@ impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T;
 impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 2]> for L {
     #[inline(always)]
     fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> ([T; 2], CosSin<T>, T) {
+        if L::SPLITS {
+            return warped(self, axis, rng);
+        }
         let s = self.sample_with_density(rng);
         (axis.around(s.at, rng), s.at, s.density)
     }
