@@ -27,7 +27,7 @@ const GOLDEN: [(&str, u64); 12] = [
     ("fog", 0x3335_7164_2D86_66EF),
     ("all", 0xFAD6_1BBE_D6D9_0474),
     ("flat_lamp", 0xD8B8_1E35_E48D_61C4),
-    ("flat_bounces", 0x9F88_3190_F9C6_E864),
+    ("flat_bounces", 0x0DAD_B796_DF86_B663),
 ];
 
 #[test]
