@@ -1,26 +1,27 @@
 //! Inputs found by attack, each of which once exceeded its cell of `docs/bounds.md`.
 
 use kit::accuracy::bounds::{allowed, broken};
-use kit::accuracy::found;
+use kit::accuracy::found::{self, Found};
 use kit::accuracy::measure::{Input, judge};
+use kit::accuracy::op::OPERATIONS;
 use kit::accuracy::reference::Id;
 use kit::accuracy::subject::{Subject, Tiers};
 
 /// Law, what the input is, its bits.
-type Found = (Id, Input, u64);
+type Attack = (Id, Input, u64);
 
 /// f32: `Ball.lambert_weight` where cos²θ is subnormal: 8.12 ulp.
-const F32: [Found; 1] = [(Id::Ball, Input::Cos, 0x1f36_26eb)];
+const F32: [Attack; 1] = [(Id::Ball, Input::Cos, 0x1f36_26eb)];
 
 /// f64: `Ball.ln_pdf`, three times the error of a logarithm: 4.121 ulp; `Ball.lambert_weight` where
 /// cos²θ is subnormal: 8.33 ulp.
-const F64: [Found; 2] = [
+const F64: [Attack; 2] = [
     (Id::Ball, Input::Angle, 0x3fe9_5e0b_765a_2aff),
     (Id::Ball, Input::Cos, 0x1fe6_bad7_20c5_12e2),
 ];
 
 /// The input and its neighbours, as inputs of all operations in all number types.
-fn within_their_cells<F: Tiers>(found: &[Found]) {
+fn within_their_cells<F: Tiers>(found: &[Attack]) {
     for &(id, input, bits) in found {
         let subjects = Subject::<F>::all(&[id]);
         let around: Vec<F> = (bits - 64..=bits + 64).map(F::of_bits).collect();
@@ -75,6 +76,18 @@ fn worst_inputs_of_powers() {
     powers_within_their_cells::<f64>(&POWER_F64);
 }
 
+/// cos θ = sin θ, which name two directions, at exponents that tell them apart (154 ulp); the least tails
+/// in `Fast` (all digits lost); cos θ = 0.
+#[test]
+fn ties_and_ends_of_powers() {
+    for k in [0x3f80_0000, 0x410a_3f10, 0x437a_e542, 0x4386_93b5] {
+        let at = |input, bits| (k, input, bits);
+        let least = [1, 2, 3, 5, 1 << 10].map(|bits| at(Input::Tail, bits + 64));
+        let ends = [at(Input::Angle, 0x3f49_0fdb), at(Input::Cos, 64)];
+        powers_within_their_cells::<f32>(&[&least[..], &ends].concat());
+    }
+}
+
 #[test]
 fn worst_inputs_of_f32() {
     within_their_cells::<f32>(&F32);
@@ -115,6 +128,14 @@ fn searched_inputs_are_within_their_cells() {
     for law in Id::FIXED {
         let searched = |tier: &str| rows.iter().any(|r| r.tier == tier && r.law == law.name());
         assert!(searched("f64") && searched("Precise<f64>"), "{law:?}");
+    }
+    for tier in ["f32", "f64", "Precise<f32>", "Precise<f64>", "Fast<f32>"] {
+        let of_power = |r: &&Found| r.tier == tier && r.law == "CosPower";
+        assert_eq!(
+            rows.iter().filter(of_power).count(),
+            OPERATIONS.len(),
+            "{tier}"
+        );
     }
     for row in rows {
         let cell = allowed(&row.tier, &row.law, &row.operation).expect("a cell");

@@ -4,7 +4,7 @@ use crate::scalar::zero;
 use crate::{Number, Vector};
 use core::fmt::Debug;
 use coslobe::rand_core::Rng;
-use coslobe::{CosSin, Planar, Spatial};
+use coslobe::{CosSin, Law, Planar, Spatial, uniform};
 
 /// A law that draws directions around an axis in the world of `V`.
 pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {
@@ -24,6 +24,9 @@ pub trait Reads {
     const SINE: bool = false;
     /// It is the law of diffuse reflection itself, whose samples all weigh 1.
     const DIFFUSE: bool = false;
+    /// Its samples split a word, each number type in a way of its own. By its warp all types draw the same
+    /// directions, so that their pictures can be compared.
+    const SPLITS: bool = false;
 }
 
 /// The pair of `d` around `axis`, as far as the law `L` reads it.
@@ -39,9 +42,22 @@ fn pair<L: Reads, V: Vector>(axis: V, d: V) -> CosSin<V::T> {
     }
 }
 
+#[inline(always)]
+fn warped<L: Law<V::T>, V: Vector, R: Rng>(
+    law: &L,
+    axis: V,
+    rng: &mut R,
+) -> (V, CosSin<V::T>, V::T) {
+    let at = law.warp_tails(uniform::tails::<V::T, _>(rng));
+    (axis.around(at, rng), at, law.density(at))
+}
+
 impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 3]> for L {
     #[inline(always)]
     fn draw<R: Rng>(&self, axis: [T; 3], rng: &mut R) -> ([T; 3], CosSin<T>, T) {
+        if L::SPLITS {
+            return warped(self, axis, rng);
+        }
         let s = self.sample_around_with_density(axis, rng);
         (s.direction.drawn(), s.at, s.density)
     }
@@ -65,6 +81,9 @@ impl<T: Number, L: Spatial<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T;
 impl<T: Number, L: Planar<T> + Reads + Copy + Send + Sync + Debug> Sampling<[T; 2]> for L {
     #[inline(always)]
     fn draw<R: Rng>(&self, axis: [T; 2], rng: &mut R) -> ([T; 2], CosSin<T>, T) {
+        if L::SPLITS {
+            return warped(self, axis, rng);
+        }
         let s = self.sample_with_density(rng);
         (axis.around(s.at, rng), s.at, s.density)
     }

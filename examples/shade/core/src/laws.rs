@@ -42,7 +42,9 @@ impl core::str::FromStr for LawName {
 impl Reads for Lambert {
     const DIFFUSE: bool = true;
 }
-impl Reads for SphereShell {}
+impl Reads for SphereShell {
+    const SPLITS: bool = true;
+}
 impl Reads for Ball {}
 impl<T: Number> Reads for CosPower<T> {
     const SINE: bool = true;
@@ -50,7 +52,9 @@ impl<T: Number> Reads for CosPower<T> {
 impl Reads for CircleShell {
     const DIFFUSE: bool = true;
 }
-impl Reads for Disk {}
+impl Reads for Disk {
+    const SPLITS: bool = true;
+}
 impl Reads for CircleArc {}
 
 /// Any law of space.

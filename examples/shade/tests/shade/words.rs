@@ -1,7 +1,8 @@
 //! The random words by counting: even, and without a tie between neighbours.
 
 use coslobe::rand_core::Rng;
-use shade_core::{Effect, Place, Stream};
+use coslobe::{CosPower, Fast, Precise};
+use shade_core::{Aligned, AnyPlanar, AnySpatial, Effect, Number, Place, Sampling, Stream, Vector};
 
 /// Words at neighbouring places along one coordinate of the counter.
 fn along(f: impl Fn(u32) -> (Place, u32, Effect)) -> Vec<u32> {
@@ -75,6 +76,61 @@ fn streams_differ() {
                 for _ in 0..4 {
                     assert!(seen.insert(stream.next_u64()), "{effect:?} {bounce} {part}");
                 }
+            }
+        }
+    }
+}
+
+/// What every type draws from a stream of aligned words, and its density: of each law of space, then of flatland.
+fn drawn<T: Number>(sample: u32) -> Vec<f64> {
+    fn one<V: Vector, L: Sampling<V>>(law: &L, sample: u32) -> Vec<f64> {
+        let axis = V::from_fn(|i| V::T::from_f64([0.48, 0.6, 0.64][i])).unit();
+        let place = Place {
+            pixel: 5,
+            sample,
+            seed: 1,
+        };
+        let mut meter = Aligned::<V::T>::default();
+        let mut words = Stream::new(place, 2, Effect::Gloss, 0, &mut meter);
+        let (d, _, density) = law.draw(axis, &mut words);
+        let mut all: Vec<f64> = (0..V::DIM).map(|i| d.at(i).into()).collect();
+        all.push(density.into());
+        all
+    }
+    let power = CosPower::new(T::from_f64(20.0)).expect("an exponent");
+    let space = [
+        AnySpatial::Lambert,
+        AnySpatial::SphereShell,
+        AnySpatial::Ball,
+        AnySpatial::Power(power),
+    ];
+    let flat = [
+        AnyPlanar::CircleArc,
+        AnyPlanar::CircleShell,
+        AnyPlanar::Disk,
+    ];
+    let space = space.iter().flat_map(|l| one::<[T; 3], _>(l, sample));
+    space
+        .chain(flat.iter().flat_map(|l| one::<[T; 2], _>(l, sample)))
+        .collect()
+}
+
+/// Their pictures are compared: a type that draws other directions would look wrong by the noise.
+#[test]
+fn every_type_draws_the_same_directions() {
+    for sample in 0..1000 {
+        let want = drawn::<f64>(sample);
+        for (have, error) in [
+            (drawn::<f32>(sample), 1e-5),
+            (drawn::<Fast<f32>>(sample), 4e-3),
+            (drawn::<Precise<f32>>(sample), 1e-5),
+            (drawn::<Precise<f64>>(sample), 1e-12),
+        ] {
+            for (a, b) in have.iter().zip(&want) {
+                assert!(
+                    (a - b).abs() <= error * b.abs().max(1.0),
+                    "{sample}: {have:?} {want:?}"
+                );
             }
         }
     }

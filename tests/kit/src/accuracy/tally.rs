@@ -1,6 +1,6 @@
 //! Statistics of errors: kept by subject and operation, merged over threads.
 
-use super::format::Format;
+use super::format::{Format, ulp};
 use super::measure::Input;
 use super::op::OPERATIONS;
 use super::truth::Truth;
@@ -133,7 +133,12 @@ impl Stat {
         place: Place,
     ) {
         let right = got == want.nearest[i];
-        let error = want.value[i].minus(got.lifted(want.lift[i])).abs();
+        let mut error = want.value[i].minus(got.lifted(want.lift[i])).abs();
+        if got.wide() == f64::INFINITY && want.value[i].near().is_finite() {
+            // ∞ stands for the first number beyond the largest.
+            let beyond = ulp::<F>(F::MAX_VALUE) / 2.0;
+            error = want.value[i].minus(F::MAX_VALUE).abs() + beyond;
+        }
         let or_infinite = |x: f64| match x.is_nan() {
             true if right => 0.0, // both infinite
             true => f64::INFINITY,
