@@ -80,24 +80,26 @@
 //! `Lambert` always, `Disk`'s and `Ball`'s cdf and `Ball`'s and `SphereShell`'s quantile but for a
 //! unit here and there. `tests/errors/q15` asserts all this.
 //!
-//! `lambert_weight` and `distance`, with the worst input in hex (cos θ, in Q31 or Q15; for a distance
-//! what the test makes its radius, cosine and v of, or cosine and v at the largest radius, 8191):
+//! `lambert_weight` and `distance`, with the worst input in hex: of a weight cos θ, in Q31 or Q15;
+//! of a distance what the test makes radius, cosine and v of, in 16 bits cosine and v at the
+//! radius 8191:
 //!
 //! | | weight, `Fixed` | weight, `Fixed16` | distance, `Fixed` | distance, `Fixed16` |
 //! |---|---|---|---|---|
-//! | `Disk` | @WD31@ | 1.387 (7df2) | @DD31@ | 1.097 (7cc0, 4398) |
+//! | `Disk` | 1.022 (0007b114) | 1.387 (7df2) | 1.053 (6c1349cd) | 1.097 (7cc0, 4398) |
 //! | `CircleShell` | 0 | 0 | 0.5 | 0.5 |
 //! | `CircleArc` | 0.5 | 0.541 (1435) | 0.5 | 0.5 |
-//! | `Ball` | @WB31@ | 2.701 (7f7e) | @DB31@ | @DB15@ |
-//! | `SphereShell` | @WS31@ | 1.481 (7f7d) | 0.5 | 0.5 |
+//! | `Ball` | 1.513 (01694c67) | 2.701 (7f7e) | 1.141 (178e733f) | 1.090 (7daa, 4567) |
+//! | `SphereShell` | 0.859 (0005bbb0) | 1.481 (7f7d) | 0.5 | 0.5 |
 //! | `Lambert` | 0 | 0 | 0.5 | 0.5 |
 //!
 //! A weight w errs by that many of the larger of 2⁻¹⁶ and 2⁻²⁸ w (`Fixed16`: 2⁻¹⁴ w), on **every**
-//! cosine; `CosPower`'s by 0.74 of the larger of 2⁻¹⁶ and 2⁻²⁴ w (2·10⁵ pairs for each of nine
-//! exponents from 0 to 65536). A distance errs by that many units of its type: of `Fixed` searched over
-//! 3·10⁸ radii, cosines and v for each law, of `Fixed16` at four radii on **every** cosine and v.
-//! `tests/errors` asserts both. A point's coordinates are the distance times the direction, and one
-//! unit more.
+//! cosine (`SphereShell` in `Fixed`: searched over 4·10⁶); `CosPower`'s by 0.74 of the larger of
+//! 2⁻¹⁶ and 2⁻²⁴ w (3·10⁵ pairs for each of nine exponents from 0 to 65536). A distance errs by
+//! that many units of its type, searched over radii, cosines and v: of `Fixed` 3·10⁸ for `Disk`
+//! and `Ball`, 4·10⁶ for the others; of `Fixed16` at four radii, for `Disk` with **every** cosine
+//! and v. `tests/errors` asserts all this, with a margin. A point's coordinates are the distance
+//! times the direction, and one unit more.
 //!
 //! # Words of randomness
 //!
@@ -170,7 +172,8 @@
 //! stands for ±π: both fill the word with one turn.
 //!
 //! Glob imports of this crate and of the crate `fixed` stand side by side. Of the two `CosPower`s
-//! that of integers is named by its module; each in the place of the other is an error that says so:
+//! that of integers is named by its module; each in the place of the other is an error that says
+//! so:
 //!
 //! ```
 //! use coslobe::*;

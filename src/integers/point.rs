@@ -87,8 +87,10 @@ impl<F: Format, L: Formulas<F> + Point> Integers<F, L> {
         of_word::<F, D>(along::<F>(word::<F, D>(rho.get()), words::<F>(at), share))
     }
 
-    /// Draws r for a direction. Randomness: words for the disk and ball alone, the largest of two or
-    /// three uniform numbers, which needs no root: two or three words, in `Fixed16` one or two.
+    /// Draws r for a direction.
+    ///
+    /// Randomness: words for the disk and ball alone, the largest of two or three uniform numbers,
+    /// which needs no root: two or three words, in `Fixed16` one or two.
     #[inline]
     pub fn sample_distance<D: FixedSigned<Bits = Bits<F>>, R: Rng + ?Sized>(
         &self,
@@ -104,8 +106,9 @@ impl<F: Format, L: Formulas<F> + Point> Integers<F, L> {
         of_word::<F, D>(along::<F>(word::<F, D>(rho.get()), words::<F>(at), share))
     }
 
-    /// Draws the point itself, \[x, y\] or \[x, y, z\]: the distance times the direction. Randomness:
-    /// [`sample`](Self::sample), then [`sample_distance`](Self::sample_distance).
+    /// Draws the point itself, \[x, y\] or \[x, y, z\]: the distance times the direction.
+    ///
+    /// Randomness: [`sample`](Self::sample), then [`sample_distance`](Self::sample_distance).
     ///
     /// ```
     /// use coslobe::integers::FixedRadius;

@@ -87,14 +87,15 @@ pub(crate) fn polar<F: Format>(x: i32, z: i32) -> (i32, u32) {
     // Both up by as much as the larger one allows, in Q32; then the root of half their squares'
     // sum.
     let (_, shift) = normal(a | b);
-    let [a, b] = [a, b].map(|c| c << shift);
+    let [a, b] = [a, b].map(|c| c.wrapping_shl(shift));
     let root = F::scaled((F::mul(a, a) >> 1).wrapping_add(F::mul(b, b) >> 1), 0);
-    let sin = F::mul(root, HALF_ROOT) >> shift.wrapping_sub(1);
+    let sin = F::mul(root, HALF_ROOT).wrapping_shr(shift.wrapping_sub(1));
     let (d, up) = normal(root);
     let recip = F::half_recip(d);
     let unit = |c: u32| {
         let part = F::mul(F::mul(c, recip), HALF_ROOT);
-        part.min(u32::MAX >> up.wrapping_add(1)) << up
+        part.min(u32::MAX.wrapping_shr(up.wrapping_add(1)))
+            .wrapping_shl(up)
     };
     let turn = F::first_quadrant(unit(a), unit(b));
     let turn = if x < 0 {

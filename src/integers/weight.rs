@@ -12,7 +12,7 @@ pub(crate) fn q16(product: u32, shift: i32) -> U16F16 {
     U16F16::from_bits(if up < 0 {
         let twice = product >> up.wrapping_add(1).unsigned_abs().min(31);
         (twice >> 1).wrapping_add(twice & 1)
-    } else if up < 32 && product >> 1 >> 31u32.wrapping_sub(up as u32) == 0 {
+    } else if up < 32 && (product >> 1).wrapping_shr(31u32.wrapping_sub(up as u32)) == 0 {
         product << up
     } else {
         u32::MAX

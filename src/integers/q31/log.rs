@@ -74,7 +74,7 @@ pub(crate) fn log2(part: Part) -> Number {
         Part::Small(_, e) => {
             let (whole, shift) = normal(e);
             Number {
-                m: whole | (product << 1 >> 32u32.wrapping_sub(shift)),
+                m: whole | (product << 1).wrapping_shr(32u32.wrapping_sub(shift)),
                 e: 32i32.wrapping_sub(shift as i32),
             }
         }

@@ -62,11 +62,11 @@ const ROWS: [(&str, Error); 2] = [("weight", weight), ("distance", distance)];
 
 /// [weight, distance] of each law, in the order of `Id::FIXED`.
 const BOUNDS: [[f64; 2]; 6] = [
-    [1.0, 1.25],
+    [1.1, 1.25],
     [0.0, 0.51],
     [0.51, 0.51],
     [1.75, 1.5],
-    [1.0, 0.51],
+    [1.1, 0.51],
     [0.0, 0.51],
 ];
 
