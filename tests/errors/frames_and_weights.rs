@@ -90,3 +90,30 @@ impl NumberVisitor for Heuristics {
 fn heuristics_keep_their_bounds() {
     every_number(&mut Heuristics);
 }
+
+/// `Frame` says so: an axis comes out without negative zeros.
+struct NoNegativeZeros;
+
+impl NumberVisitor for NoNegativeZeros {
+    fn number<T: Number>(&mut self) {
+        for (axis, side) in [
+            (0, 1.0),
+            (0, -1.0),
+            (1, 1.0),
+            (1, -1.0),
+            (2, 1.0),
+            (2, -1.0),
+        ] {
+            let mut normal = [T::of(0.0); 3];
+            normal[axis] = T::of(side);
+            let axes = Frame::from_unit(normal).axes();
+            let minus = |c: &T| c.wide() == 0.0 && c.negative();
+            assert!(!axes.as_flattened().iter().any(minus), "{axes:?}");
+        }
+    }
+}
+
+#[test]
+fn axes_have_no_negative_zeros() {
+    every_number(&mut NoNegativeZeros);
+}

@@ -154,8 +154,8 @@ fuzz() { # each target for FUZZ_SECONDS
     # A scratch corpus first, so that what a run finds does not land among the committed seeds.
     mkdir -p "fuzz/corpus/$name"
     length=64 # four bytes that choose, and eight words; of a scene, text
-    [ "$name" = scene ] && length=4096
-    cargo +nightly fuzz run -s none "$name" "fuzz/corpus/$name" "fuzz/seeds/$name" -- \
+    if [ "$name" = scene ]; then length=4096; else fuzz/seeds.py unpack "$name"; fi
+    cargo +nightly fuzz run -s none "$name" "fuzz/corpus/$name" $(ls -d "fuzz/seeds/$name" 2>/dev/null) -- \
       -max_len=$length -max_total_time="${FUZZ_SECONDS:-20}" -verbosity=0
   done
 }

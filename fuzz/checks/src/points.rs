@@ -1,7 +1,7 @@
 //! Points of the disk, circle, ball and sphere, at any radius.
 
 use super::input::{Input, Words};
-use super::measure::{assert_positive_or_zero, context};
+use super::measure::{assert_close, assert_positive_or_zero, context};
 use super::samples::of_direction;
 use coslobe::{CosSin, Measure, PlanarPoint, Radius, RadiusError, SpatialPoint, Tangent};
 use kit::catalogue::one_law;
@@ -9,6 +9,8 @@ use kit::{Drawn, Id, LawVisitor, Number, PlanarLaw, SpatialLaw, TangentLaw};
 
 /// ln_point_density against the logarithm of point_density, in ulp of its largest term: 3 ln ρ.
 const LN_ULP: f64 = 8.0;
+/// A distance against the formula in `f64`, which errs too.
+const DISTANCE_ULP: f64 = 6.0;
 /// The point's own length against 2ρ cos θ, which it must not pass by more than rounding.
 const LENGTH_ULP: f64 = 4.0;
 
@@ -19,7 +21,8 @@ pub(super) fn densities<T: Number>(mut input: Input) {
         return;
     };
     let (at, r) = (input.pair(), input.number(0.0, 8.0));
-    one_law(law, &mut Densities { rho, at, r });
+    let v = input.number(0.0, 1.0);
+    one_law(law, &mut Densities { rho, at, r, v });
 }
 
 /// Points drawn, with their densities.
@@ -35,15 +38,18 @@ struct Densities<T> {
     rho: Radius<T>,
     at: CosSin<T>,
     r: T,
+    v: T,
 }
 
 impl<T: Number> LawVisitor<T> for Densities<T> {
     fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
         density(&law, self.rho, self.at, self.r);
+        distance(&law, self.rho, self.at.cos, self.v);
     }
     fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, _: L) {}
     fn tangent<L: TangentLaw<T>>(&mut self, _: Id, law: L) {
         density(&law, self.rho, self.at, self.r);
+        distance(&law, self.rho, self.at.cos, self.v);
     }
 }
 
@@ -116,6 +122,23 @@ fn density<T: Number, L: Tangent<T>>(law: &L, rho: Radius<T>, at: CosSin<T>, r: 
     if below || (beyond && decided) {
         assert_eq!([p, log].map(T::wide), [0.0, -f64::INFINITY], "outside");
     }
+}
+
+/// 2ρ cos θ times the root of v that the measure takes.
+fn distance<T: Number, L: Tangent<T>>(law: &L, rho: Radius<T>, cos: T, v: T) {
+    let _context = context::<T, L>();
+    let probability = (0.0..=1.0).contains(&v.wide());
+    if !probability || !(0.0..=1.0).contains(&cos.wide()) {
+        return;
+    }
+    let share = match L::MEASURE {
+        Measure::Area => v.wide().sqrt(),
+        Measure::Volume => v.wide().cbrt(),
+        _ => 1.0,
+    };
+    let got = law.distance(rho, CosSin { cos, sin: cos }, v);
+    let want = 2.0 * rho.get().wide() * cos.wide() * share;
+    assert_close::<T>(got.wide(), want, DISTANCE_ULP, "distance");
 }
 
 /// A point drawn in direction `at` lies where its density is positive.

@@ -3,9 +3,7 @@
 use coslobe::rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
-use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
 
 /// Runs `check` and names the input in hex where it fails, so that it can become a seed.
 fn run(check: fn(&[u8]), data: &[u8], origin: &str) {
@@ -18,22 +16,24 @@ fn run(check: fn(&[u8]), data: &[u8], origin: &str) {
     }
 }
 
-fn replay(target: &str, check: fn(&[u8]), explored: usize) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../seeds")
-        .join(target);
-    let mut seeds: Vec<_> = fs::read_dir(&folder)
-        .unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
-        .map(|entry| entry.expect("a readable folder").path())
-        .collect();
-    assert!(!seeds.is_empty(), "{} has no seeds", folder.display());
-    seeds.sort();
-    let seeds: Vec<_> = seeds
-        .iter()
-        .map(|path| (path, fs::read(path).expect("a readable seed")))
-        .collect();
-    for (path, data) in &seeds {
-        run(check, data, &path.display().to_string());
+/// The seeds of a numeric target: a line each, in hex.
+fn lines(text: &str) -> Vec<Vec<u8>> {
+    let byte = |pair: &[u8]| {
+        let pair = str::from_utf8(pair).expect("hex");
+        u8::from_str_radix(pair, 16).expect("hex")
+    };
+    let lines = text
+        .lines()
+        .map(|line| line.split('#').next().unwrap_or("").trim());
+    lines
+        .map(|line| line.as_bytes().chunks(2).map(byte).collect())
+        .collect()
+}
+
+fn replay(target: &str, check: fn(&[u8]), explored: usize, seeds: &[Vec<u8>]) {
+    assert!(!seeds.is_empty(), "{target} has no seeds");
+    for data in seeds {
+        run(check, data, &format!("{target}, a seed"));
     }
     let mut rng = Pcg64Mcg::seed_from_u64(0x0C05_10BE);
     for round in 0..explored {
@@ -86,16 +86,32 @@ fn edge(rng: &mut Pcg64Mcg) -> u64 {
 
 #[test]
 fn floats() {
-    replay("floats", checks::floats::check, 200_000);
+    replay(
+        "floats",
+        checks::floats::check,
+        200_000,
+        &lines(include_str!("../../seeds/floats.hex")),
+    );
 }
 
 #[test]
 fn integers() {
-    replay("integers", checks::integers::check, 200_000);
+    replay(
+        "integers",
+        checks::integers::check,
+        200_000,
+        &lines(include_str!("../../seeds/integers.hex")),
+    );
 }
 
 #[cfg(feature = "scene")]
 #[test]
 fn scene() {
-    replay("scene", checks::scene::check, 4000);
+    use std::{fs, path::Path};
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../seeds/scene");
+    let seeds: Vec<_> = fs::read_dir(&folder)
+        .unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
+        .map(|entry| fs::read(entry.expect("a readable folder").path()).expect("a readable seed"))
+        .collect();
+    replay("scene", checks::scene::check, 4000, &seeds);
 }

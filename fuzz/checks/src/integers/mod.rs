@@ -129,6 +129,24 @@ fn pairs<L: Law>(law: L, id: Id, input: &mut Input) {
     assert_eq!(density > 0.0, open, "density {density:?} at {at:?}");
     let [cdf, sf] = law.unwarps(at);
     assert_near(cdf + sf, 1.0, 4.0, L::PROBABILITY, "unwarp + unwarp_sf");
+    if !matches!(id, Id::CosPower(_)) {
+        let want = if open {
+            Truth::of(id).density_at(wide(cos))
+        } else {
+            0.0
+        };
+        assert_near(density, want, PAIR_UNITS, L::PROBABILITY, "density");
+    }
+    // Outside the support: in the plane on the side of sin θ, in space below the axis first.
+    if wide(cos) < 0.0 || (wide(sin) < 0.0 && !id.planar()) {
+        let one = 1.0 - 1.0 / L::PROBABILITY;
+        let want = if wide(sin) < 0.0 {
+            [0.0, one]
+        } else {
+            [one, 0.0]
+        };
+        assert_eq!([cdf, sf], want, "outside, at {at:?}");
+    }
 }
 
 /// The tails of a word that is a probability, 1 for what lacks nothing.

@@ -61,6 +61,7 @@ impl<L: FixedSpatial> Law for Fixed<L> {
     }
     fn turned(n: [I1F31; 3], d: [I1F31; 3]) -> Turned<I1F31> {
         let frame = FixedFrame::from_unit(n);
+        assert_eq!(frame.normal(), n);
         let world = frame.to_world(d);
         Turned {
             checked: FixedFrame::new(n).map(|checked| assert_eq!(checked, frame)),
@@ -91,6 +92,7 @@ impl<L: Fixed16Spatial> Law for Fixed16<L> {
     }
     fn turned(n: [I1F15; 3], d: [I1F15; 3]) -> Turned<I1F15> {
         let frame = FixedFrame::from_unit(n);
+        assert_eq!(frame.normal(), n);
         let world = frame.to_world(d);
         Turned {
             checked: FixedFrame::new(n).map(|checked| assert_eq!(checked, frame)),
