@@ -21,14 +21,17 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The cheapest tier: relative errors of about 2⁻¹² in densities and directions.
 ///
-/// Sums of rounding errors are not carried, polynomials are short, and a square root has 13 bits,
-/// which integers give as an instruction does: a target without a floating-point unit gains most.
+/// Sums of rounding errors are not carried, polynomials are short, and a uniform has 32 bits: a
+/// target without a floating-point unit gains most. The square root is the plain type's, an
+/// instruction where there is one and some fifty where there is none.
 /// Directions are unit vectors to 2⁻¹², inside the support, with positive density and no component
 /// beyond 1. Subnormal arguments are accepted; their accuracy is not promised. Quantiles may step
 /// back within their error.
 ///
-/// Where the plain type's operation is one root or product there is nothing to save on a host: the
-/// tables in [`accuracy`](crate::accuracy) say what each costs.
+/// Where the plain type's operation is roots and products alone there is little to save on a host,
+/// and nothing in samples of [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell), for
+/// which the plain type has two uniforms in its word and takes no cube root: the tables in
+/// [`accuracy`](crate::accuracy) say what each costs.
 ///
 /// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ and one for the
 /// azimuth; the deepest tail drawn is 2⁻³³.

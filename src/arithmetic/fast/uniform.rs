@@ -3,19 +3,15 @@
 use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
 use crate::arithmetic::native::turn::merge_if_odd;
+use crate::arithmetic::native::uniform::f32::tail_of_half;
 
 /// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n +
 /// 1)·2⁻³³.
 ///
 /// Never 0, at most ½; 2⁻³³ is the deepest.
-#[inline]
+#[inline(always)]
 pub(crate) fn tail(bits: u32) -> (f32, bool) {
-    let odd = ((bits << 1) | 1) as f32;
-    // Scaled in the exponent: at least 1, so it stays normal.
-    (
-        f32::from_bits(odd.to_bits().wrapping_sub(33 << 23)),
-        bits >> 31 != 0,
-    )
+    (tail_of_half(bits), bits >> 31 != 0)
 }
 
 /// (cos, sin) of the azimuth (bits + ½)·2⁻³² turns.
