@@ -90,16 +90,16 @@
 //! | `CircleShell` | 0 | 0 | 0.5 | 0.5 |
 //! | `CircleArc` | 0.5 | 0.541 (1435) | 0.5 | 0.5 |
 //! | `Ball` | 1.513 (01694c67) | 2.701 (7f7e) | 1.141 (178e733f) | 1.090 (7daa, 4567) |
-//! | `SphereShell` | 0.859 (0005bbb0) | 1.481 (7f7d) | 0.5 | 0.5 |
+//! | `SphereShell` | 0.923 (00054b58) | 1.481 (7f7d) | 0.5 | 0.5 |
 //! | `Lambert` | 0 | 0 | 0.5 | 0.5 |
 //!
 //! A weight w errs by that many of the larger of 2⁻¹⁶ and 2⁻²⁸ w (`Fixed16`: 2⁻¹⁴ w), on **every**
-//! cosine (`SphereShell` in `Fixed`: searched over 4·10⁶); `CosPower`'s by 0.74 of the larger of
-//! 2⁻¹⁶ and 2⁻²⁴ w (3·10⁵ pairs for each of nine exponents from 0 to 65536). A distance errs by
-//! that many units of its type, searched over radii, cosines and v: of `Fixed` 3·10⁸ for `Disk`
-//! and `Ball`, 4·10⁶ for the others; of `Fixed16` at four radii, for `Disk` with **every** cosine
-//! and v. `tests/errors` asserts all this, with a margin. A point's coordinates are the distance
-//! times the direction, and one unit more.
+//! cosine; `CosPower`'s by 0.74 of the larger of 2⁻¹⁶ and 2⁻²⁴ w (3·10⁵ pairs for each of nine
+//! exponents from 0 to 65536). A distance errs by that many units of its type, searched over
+//! radii, cosines and v: of `Fixed` 3·10⁸ for `Disk` and `Ball`, 4·10⁶ for the others; of
+//! `Fixed16` at four radii, for `Disk` with **every** cosine and v. `tests/errors` asserts all
+//! this, with a margin. A point's coordinates are the distance times the direction, and one unit
+//! more.
 //!
 //! # Words of randomness
 //!

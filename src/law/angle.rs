@@ -16,8 +16,8 @@ use crate::{CosSin, Moments, Tails};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a law in the number type `{T}`",
     label = "no law of a direction in `{T}`",
-    note = "in integers a law is inside `Fixed` or `Fixed16`; `coslobe::integers::CosPower` is a law \
-            there alone, and `coslobe::CosPower` that of floats"
+    note = "in integers a law is inside `Fixed` or `Fixed16`; `coslobe::integers::CosPower` is a \
+            law there alone, and `coslobe::CosPower` that of floats"
 )]
 pub trait Law<T: Real> {
     /// Density of θ: per radian for planar laws; for spatial ones per dθ dφ (the paper's q),
