@@ -29,9 +29,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// back within their error.
 ///
 /// Where the plain type's operation is roots and products alone there is little to save on a host,
-/// and nothing in samples of [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell), for
-/// which the plain type has two uniforms in its word and takes no cube root: the tables in
-/// [`accuracy`](crate::accuracy) say what each costs.
+/// and nothing in samples that take a cube root here and, of two uniforms in a word of 64 bits,
+/// none in the plain type: [`accuracy`](crate::accuracy)'s tables say what each costs.
 ///
 /// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ and one for the
 /// azimuth; the deepest tail drawn is 2⁻³³.

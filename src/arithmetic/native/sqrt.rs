@@ -1,9 +1,9 @@
 //! The square root of an `f32` in 32-bit integers, for processors with no instruction for it: the
 //! same bits, since IEEE 754 rounds a root once.
 //!
-//! Method: ρ ≈ 1/√X by a polynomial (2⁻¹³·⁷), of which t = Xρ is a root of 15 bits, and t + (X −
-//! t²)ρ/2 one that is off by −0.38 to 0.02 of the last place. Cut off, that is the root or one less:
-//! the sign of X − r² − r, of which 32 bits are enough, tells which. No root is a tie.
+//! Method: ρ ≈ 1/√X by a polynomial (2⁻¹³·⁷), of which t = Xρ is a root of 15 bits, and
+//! t + (X − t²)ρ/2 one that is off by −0.38 to 0.02 of the last place. Cut off, that is the root or
+//! one less: the sign of X − r² − r, of which 32 bits are enough, tells which. No root is a tie.
 //!
 //! Error: none. Shown on every significand of either parity, every exponent and every subnormal
 //! number.
