@@ -82,16 +82,10 @@ const CRATES: [&str; 4] = [
     "examples/atlas/src",
 ];
 
-/// But for what C prints, of which two files share one table.
-fn without_c(mut sources: Vec<Source>) -> Vec<Source> {
-    sources.retain(|s| !s.module[0].starts_with("c_"));
-    sources
-}
-
 #[test]
 fn no_circle_of_files() {
     for folder in CRATES {
-        let sources = without_c(sources(folder)).into_iter();
+        let sources = sources(folder).into_iter();
         let graph = sources.map(|s| {
             let imports = s.imports.iter().map(|i| i.join("::"));
             (s.module.join("::"), imports.collect())
@@ -104,7 +98,7 @@ fn no_circle_of_files() {
 #[test]
 fn no_circle_of_folders() {
     for crate_ in CRATES {
-        let sources = without_c(sources(crate_));
+        let sources = sources(crate_);
         assert!(sources.len() > 10, "{crate_}");
         let mut folders = BTreeSet::from([Vec::new()]);
         for source in &sources {
@@ -179,7 +173,7 @@ fn a_law_and_a_type_are_named_in_few_files() {
 
 /// What is reached; the aim was 55 and 35.
 const MOST_OF_A_LAW: usize = 45;
-const MOST_OF_A_TYPE: usize = 36;
+const MOST_OF_A_TYPE: usize = 42;
 
 /// Generated files apart, about 200 lines; in the crate itself under 100 columns.
 #[test]
@@ -190,14 +184,8 @@ fn files_and_lines_are_short() {
         let generated = ["not by hand", "do not edit", "Made by"]
             .iter()
             .any(|w| first.contains(w));
-        let c = [
-            "examples/c_api",
-            "tools/on_target/src/c.rs",
-            "tools/on_target/src/c_values.rs",
-        ];
         let most = match generated {
             true => 1000,
-            false if c.iter().any(|c| path.starts_with(c)) => 330,
             false => MOST_LINES,
         };
         let lines = text.lines().count();

@@ -99,13 +99,6 @@ fn judge<T: Number, P: Number<Raw = T::Raw>>(tier: usize, mut input: Input) {
     if !id.planar() && at.sin.negative() {
         at.sin = -at.sin;
     }
-    if at.cos == at.sin {
-        return; // neither is the smaller, by which a direction is read
-    }
-    let subnormal = x.wide() != 0.0 && x.wide().abs() < <T::Raw as Number>::SMALLEST.wide();
-    if subnormal && T::NAME.starts_with("Fast") && matches!(id, Id::CosPower(_)) {
-        return; // its logarithm reads no digits there
-    }
     let mut call = Call {
         op,
         x,

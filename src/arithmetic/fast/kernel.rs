@@ -195,7 +195,8 @@ impl Kernel for Fast<f32> {
         let a = log / n;
         let sin = if -a.0 < 1e-30 {
             // sin²θ = −2a, which for large n underflows before its root does. The logarithm is not
-            // positive, and its size has no −0 for a root to keep. A subnormal one lost its last digit.
+            // positive, and its size has no −0 for a root to keep. A subnormal one lost its last
+            // digit.
             let lower = p.lower();
             let size = if lower.0 < f32::MIN_POSITIVE {
                 lower

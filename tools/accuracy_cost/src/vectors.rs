@@ -71,13 +71,14 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
 /// of vectors.
 fn no_vectors(list: &[Contender], counted: &[f64]) -> Vec<String> {
     let all = || list.iter().zip(counted);
-    // A generator's words come one after the other, `Fast` is not made for hosts, and near the axis ln cos θ
-    // is `libm`'s log1p, which branches.
-    let branches = |c: &Contender| {
-        c.operation == "ln_pdf_slice" && matches!(c.law, Id::Disk | Id::CircleShell)
+    // A generator's words come one after the other; near the axis ln cos θ is `libm`'s log1p, which branches, as
+    // do the coarse type's logarithms and powers.
+    let branches = |c: &Contender| match c.law {
+        Id::CosPower(_) => c.name != c.format,
+        Id::Disk | Id::CircleShell => c.operation == "ln_pdf_slice",
+        _ => c.operation == "ln_pdf_slice" && c.name != c.format,
     };
-    let vectors =
-        |c: &Contender| c.operation != "sample_slice" && c.name == c.format && !branches(c);
+    let vectors = |c: &Contender| c.operation != "sample_slice" && !branches(c);
     let wide = all().filter(|(c, _)| c.width == Some(Width::Avx2) && vectors(c));
     let pairs = wide.filter_map(|(c, &wide)| {
         let same = |n: &Contender| n.law == c.law && n.operation == c.operation && n.name == c.name;

@@ -130,12 +130,22 @@ impl Number {
         .into()
     }
 
+    /// What the library calls its laws' inside of, or its numbers'; `None` of `f32`.
+    pub(crate) fn wrapper(self) -> Option<&'static str> {
+        match self {
+            F32 => None,
+            Fast => Some("Fast"),
+            Q31 => Some("Fixed"),
+            Q15 => Some("Fixed16"),
+        }
+    }
+
     /// What makes the library's number of it, called with one argument; `None` where it is one.
     pub(crate) fn constructor(self, role: Role) -> Option<&'static str> {
         Some(match (self, role) {
             (_, Role::Pair) => "pair",
             (F32, _) => return None,
-            (Fast, _) => "Fast",
+            (Fast, _) => return self.wrapper(),
             (Q31, Role::Component) => "I1F31::from_bits",
             (Q31, Role::Angle) => "I0F32::from_bits",
             (Q31, Role::Length) => "I32F0::from_bits",

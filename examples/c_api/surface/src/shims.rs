@@ -23,18 +23,14 @@ fn imports(number: Number) -> String {
     } else {
         names.push("Law, Planar, PlanarPoint, Radius, Spatial, SpatialPoint");
     }
+    names.extend(number.wrapper());
     match number {
-        Number::F32 => {}
-        Number::Fast => names.push("Fast"),
         Number::Q31 => {
-            names.push("Fixed");
             text += "use coslobe::integers::CosPower;\n\
                      use fixed::types::{I0F32, I1F31, I32F0, U0F32, U16F16};\n";
         }
-        Number::Q15 => {
-            names.push("Fixed16");
-            text += "use fixed::types::{I0F16, I1F15, I16F0, U0F16};\n";
-        }
+        Number::Q15 => text += "use fixed::types::{I0F16, I1F15, I16F0, U0F16};\n",
+        _ => {}
     }
     text + &format!("use coslobe::{{{}}};\n", names.join(", "))
 }

@@ -8,11 +8,11 @@ mod climb;
 
 use crate::args::SearchArgs;
 use climb::Search;
-use coslobe::{Fast, Precise};
-use kit::Number;
 use kit::accuracy::bounds::allowed;
 use kit::accuracy::found::{Found, from_json, to_json};
 use kit::accuracy::reference::Id;
+use kit::catalogue::every_number;
+use kit::{Number, NumberVisitor};
 use std::error::Error;
 use std::fs;
 use std::time::Duration;
@@ -31,16 +31,34 @@ pub(crate) fn run(args: &SearchArgs) -> Result<(), Box<dyn Error>> {
         return Err("--law: no such law; expected one as the crate names it, such as Ball".into());
     }
     for law in laws {
-        one::<f64>(args, law, &mut rows)?;
-        one::<Precise<f64>>(args, law, &mut rows)?;
-        // Of f32 every input of the laws without an exponent is tried elsewhere.
-        if law == "CosPower" || args.number.is_some() {
-            one::<f32>(args, law, &mut rows)?;
-            one::<Precise<f32>>(args, law, &mut rows)?;
-            one::<Fast<f32>>(args, law, &mut rows)?;
-        }
+        let mut each = Each {
+            args,
+            law,
+            rows: &mut rows,
+            done: Ok(()),
+        };
+        every_number(&mut each);
+        each.done?;
     }
     Ok(())
+}
+
+/// A law in each number type.
+struct Each<'a> {
+    args: &'a SearchArgs,
+    law: &'a str,
+    rows: &'a mut Vec<Found>,
+    done: Result<(), Box<dyn Error>>,
+}
+
+impl NumberVisitor for Each<'_> {
+    fn number<T: Number>(&mut self) {
+        // Of 32 bits every input of the laws without an exponent is tried elsewhere.
+        let searched = size_of::<T>() == 8 || self.law == "CosPower" || self.args.number.is_some();
+        if searched && self.done.is_ok() {
+            self.done = one::<T>(self.args, self.law, self.rows);
+        }
+    }
 }
 
 fn one<T: Number>(
