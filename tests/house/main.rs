@@ -171,9 +171,9 @@ fn a_law_and_a_type_are_named_in_few_files() {
     }
 }
 
-/// What is reached; the aim was 55 and 35.
-const MOST_OF_A_LAW: usize = 45;
-const MOST_OF_A_TYPE: usize = 42;
+/// Aims: 55 and 35.
+const MOST_OF_A_LAW: usize = 40;
+const MOST_OF_A_TYPE: usize = 35;
 
 /// Generated files apart, about 200 lines; in the crate itself under 100 columns.
 #[test]

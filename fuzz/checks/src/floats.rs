@@ -1,6 +1,6 @@
 //! The laws in floats: the input chooses an operation, a number type and a law, and one promise of theirs is checked.
 //!
-//! - `judged`: plain and `Fast` results lie within their cells of `docs/bounds.md` from `Precise` ones;
+//! - `judged`: results lie within their cells of `docs/bounds.md` from `Precise` ones;
 //! - `densities`, `quantiles`, `warps`: total functions, the same law from every side, right outside the support too;
 //! - `samples`, `points`: a unit vector or point inside the open support with a positive finite density, from the
 //!   documented number of words, the same bits by every way to draw it, whatever the generator;

@@ -1,28 +1,28 @@
 //! Scene files: whatever the bytes, an answer with a place or a scene that renders to numbers; and the bytes as
 //! choices of a random scene, which does too.
 
-use coslobe::{Fast, Precise};
 use shade::file::{self, Raw, World};
 use shade::random::{Choose, rendered};
-use shade_core::{Asked, pixel};
+use shade_core::{Asked, Number, NumberVisitor, every_number, pixel};
 
 pub fn check(data: &[u8]) {
     if let Ok(text) = std::str::from_utf8(data) {
         file(text);
     }
     let mut choices = Choices(data);
-    let type_and_world = [
-        rendered::<[f32; 2]>,
-        rendered::<[f32; 3]>,
-        rendered::<[Fast<f32>; 2]>,
-        rendered::<[Fast<f32>; 3]>,
-        rendered::<[Precise<f32>; 2]>,
-        rendered::<[Precise<f32>; 3]>,
-        rendered::<[f64; 2]>,
-        rendered::<[f64; 3]>,
-    ];
-    let done = choices.of(&type_and_world)(&mut choices, 2);
+    let mut types = Types(Vec::new());
+    every_number(&mut types);
+    let done = choices.of(&types.0)(&mut choices, 2);
     assert_eq!(done, Ok(()));
+}
+
+/// What renders a random scene of flatland or of space in each number type.
+struct Types<'a>(Vec<fn(&mut Choices<'a>, u32) -> Result<(), String>>);
+
+impl NumberVisitor for Types<'_> {
+    fn number<T: Number>(&mut self) {
+        self.0.extend([rendered::<[T; 2]>, rendered::<[T; 3]>]);
+    }
 }
 
 /// The input's bytes, two a choice, then zeros.

@@ -1,7 +1,9 @@
 //! The third plot: relative error against time, with the front that nothing beats.
 
 use crate::contender::{DIRECTION, SAMPLE};
+use crate::page::distinct_ours;
 use crate::row::{Row, quickest};
+use kit::promises_ulps;
 use plot::canvas::{Area, Drawn, INK, MUTED, bold, heading, px, svg, text};
 use plot::label::{Shape, shape};
 use plot::panel::{self, PANEL, Point};
@@ -15,13 +17,13 @@ const OPERATIONS: [[&str; 3]; 2] = [
     [DIRECTION, "warp_direction_slice", "given uniforms"],
     [SAMPLE, "sample_slice", "drawn"],
 ];
-/// Okabe and Ito's, told apart by colour-blind eyes too.
-const TYPES: [(&str, RGBColor); 5] = [
-    ("f32", RGBColor(0, 114, 178)),
-    ("f64", RGBColor(0, 0, 0)),
-    ("Fast<f32>", RGBColor(204, 121, 167)),
-    ("Precise<f32>", RGBColor(86, 180, 233)),
-    ("Precise<f64>", RGBColor(110, 110, 110)),
+/// Okabe and Ito's, told apart by colour-blind eyes too: the plain types', then those of the others.
+const COLORS: [RGBColor; 5] = [
+    RGBColor(0, 114, 178),
+    RGBColor(0, 0, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(110, 110, 110),
+    RGBColor(204, 121, 167),
 ];
 const PEER: RGBColor = RGBColor(213, 94, 0);
 const SHAPES: [(&str, Shape); 5] = [
@@ -32,10 +34,17 @@ const SHAPES: [(&str, Shape); 5] = [
     ("peers", Shape::Cross),
 ];
 
-fn point(row: &Row, unit: f64) -> Option<Point<'_>> {
+/// The types, each with its colour: those that promise ulps first.
+fn colored(rows: &[Row]) -> Vec<(String, RGBColor)> {
+    let mut types = distinct_ours(rows);
+    types.sort_by_key(|name| !promises_ulps(name));
+    types.into_iter().zip(COLORS).collect()
+}
+
+fn point<'r>(row: &'r Row, unit: f64, types: &[(String, RGBColor)]) -> Option<Point<'r>> {
     let cost = row.time_to_f32 / unit;
     let (color, shape, short) = if row.ours {
-        let color = TYPES.iter().find(|(name, _)| *name == row.name)?.1;
+        let color = types.iter().find(|(name, _)| *name == row.name)?.1;
         let shape = match row.vectors {
             None => Shape::Disk,
             Some("AVX2") => Shape::Square,
@@ -58,6 +67,7 @@ fn point(row: &Row, unit: f64) -> Option<Point<'_>> {
 }
 
 pub(crate) fn draw(rows: &[Row]) -> Result<String, Box<dyn Error>> {
+    let types = colored(rows);
     let mut panels = Vec::new();
     for operation in OPERATIONS {
         for row in rows
@@ -75,7 +85,7 @@ pub(crate) fn draw(rows: &[Row]) -> Result<String, Box<dyn Error>> {
     svg(size, "What accuracy costs in time", |area| {
         let title = "Directions: largest relative error of (cos θ, sin θ) against time, a multiple of the quickest peer's";
         area.draw(&Text::new(title, (px(20.0), px(14.0)), bold(INK, 17.0)))?;
-        legend(area)?;
+        legend(area, &types)?;
         for (i, (law, [scalar, slices, words])) in panels.iter().enumerate() {
             let left = PANEL.0 * (i % COLUMNS) as f64;
             let top = TOP + PANEL.1 * (i / COLUMNS) as f64;
@@ -88,14 +98,16 @@ pub(crate) fn draw(rows: &[Row]) -> Result<String, Box<dyn Error>> {
             };
             let of_panel = |r: &&Row| r.law == *law && [*scalar, *slices].contains(&&*r.operation);
             let points = rows.iter().filter(of_panel);
-            let points: Vec<Point> = points.filter_map(|r| point(r, peer.time_to_f32)).collect();
+            let points: Vec<Point> = points
+                .filter_map(|r| point(r, peer.time_to_f32, &types))
+                .collect();
             panel::draw(&part, &points, "time: 1 is the quickest peer")?;
         }
         Ok(())
     })
 }
 
-fn legend(area: &Area) -> Drawn {
+fn legend(area: &Area, types: &[(String, RGBColor)]) -> Drawn {
     let mut x = 26.0;
     let mut put = |y: f64, mark: Shape, words: &str, color: RGBColor| -> Drawn {
         shape(area, mark, (x, y + 7.0), color)?;
@@ -104,8 +116,8 @@ fn legend(area: &Area) -> Drawn {
         x += 6.6 * words.chars().count() as f64 + 34.0;
         Ok(())
     };
-    for (name, color) in TYPES {
-        put(42.0, Shape::Disk, name, color)?;
+    for (name, color) in types {
+        put(42.0, Shape::Disk, name, *color)?;
     }
     for (words, mark) in SHAPES {
         put(

@@ -6,6 +6,7 @@ use crate::mitsuba::{self, Mitsuba};
 use crate::row::{self, Row, ours, quickest};
 use crate::time::times;
 use kit::Id;
+use kit::promises_ulps;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
@@ -131,16 +132,12 @@ fn all(rows: &[Row], mitsuba: Option<&Mitsuba>) -> Vec<Limit> {
             ));
         }
     }
-    // Fast against f32.
+    // The coarse type against f32.
+    let coarse = rows.iter().find(|r| r.ours && !promises_ulps(&r.name));
+    let coarse = coarse.map_or("", |r| &r.name);
     let mut fast = |law, operation, width| {
         let plain = ours(rows, [law, operation, "f32"], width);
-        all.push(Limit::of(
-            rows,
-            [law, operation, "Fast<f32>"],
-            width,
-            0.8,
-            plain,
-        ));
+        all.push(Limit::of(rows, [law, operation, coarse], width, 0.8, plain));
     };
     draws.iter().for_each(|(law, _)| fast(law, SAMPLE, None));
     for (law, _) in pairs {

@@ -103,32 +103,16 @@ fn how(out: &mut String, about: &About) -> std::fmt::Result {
     let [single, double] = about
         .generator
         .map(|n| n.map_or("–".to_owned(), |n| format!("{n:.0}")));
-    writeln!(
-        out,
-        "\n## How to read the laws' tables\n\n\
-         A cell of the first table of a law is **error · instructions · time**.\n\n\
-         * *Error*: the largest, in units in the last place (ulp) of the true value; of `Fast` and of `sample` the\n\
-         \x20 largest relative error. Of `warp` it is that of the worse of cos θ and sin θ. *Exhaustive*: every number of\n\
-         \x20 the format; *observed (n)*: n of them. f32 is judged against f64 formulas, f64 against double-double, both of them\n\
-         \x20 checked against Arb's tables in `tests/reference/`, doubtful cases by wider ones. For operations on pairs the input is\n\
-         \x20 the angle whose rounded (cos θ, sin θ) was the pair; planar laws are tried at ±θ; for operations on\n\
-         \x20 probabilities it is the nearer tail p, which is the whole domain since 1 − u is exact for u ≥ ½.\n\
-         \x20 *Tail*: the nearer tail p, θ or π/2 − θ at most 2⁻²⁰.\n\
-         * *Instructions* of a call by callgrind, exact and repeatable on one build: the mean over 510 inputs, a third of\n\
-         \x20 them by decade, a third even, a third crowding at the ends; less an empty loop. `sample` is the mean of {DRAWS}\n\
-         \x20 draws and includes `rand_pcg::Pcg32`, of which a `next_u32` is {single} and a `next_u64` {double}. Peers on `std` run\n\
-         \x20 the C library's functions as it chooses them for this processor. `CosPower` is counted at exponent 20.\n\
-         * `warp_direction` is an element of a loop `out[i] = f(u[i])` over an array of pairs, ours and the peers', the errors with u\n\
-         \x20 on a grid of 2⁻²⁴ (`f64`: 2⁻⁵³); the loop is part of the count, and the compiler may make vectors of it.\n\
-         * *Time*: only as a ratio within this run, to the plain type of the same format. The quickest of {ROUNDS}\n\
-         \x20 interleaved rounds over even inputs in random order, the loop and the generator included. It is good to\n\
-         \x20 some percent, and no more.\n\
-         * *Relative error of a `sample`*: that of (cos θ, sin θ), whichever is worse, at the uniforms that the sampler draws\n\
-         \x20 itself: 2⁻²⁴ apart (`f64`: 2⁻⁵³) for the peers; down to 2⁻⁶⁵ (`f64`: 2⁻¹²⁹, `Fast<f32>`: 2⁻³³) for ours. Peers that\n\
-         \x20 add a point to the normal are judged by their own draws against the exact point of the same uniforms; –: no draw\n\
-         \x20 fell there. Of a peer's `quantile` it is that of θ, at every decade of u from either end. 1 and more means\n\
-         \x20 that nothing of the value is left."
-    )
+    let mut text = include_str!("how_to_read.md").to_owned();
+    for (word, value) in [
+        ("{next_u32}", single),
+        ("{next_u64}", double),
+        ("{draws}", DRAWS.to_string()),
+        ("{rounds}", ROUNDS.to_string()),
+    ] {
+        text = text.replace(word, &value);
+    }
+    write!(out, "\n{text}")
 }
 
 /// Our time against the quickest peer's, for every law's directions.
@@ -212,7 +196,7 @@ fn distinct(rows: &[Row], key: impl Fn(&Row) -> &String) -> Vec<String> {
     seen
 }
 
-fn distinct_ours(rows: &[Row]) -> Vec<String> {
+pub(crate) fn distinct_ours(rows: &[Row]) -> Vec<String> {
     let ours: Vec<Row> = rows.iter().filter(|r| r.ours).cloned().collect();
     distinct(&ours, |r| &r.name)
 }

@@ -100,13 +100,13 @@ fn error(x: f64) -> String {
 fn reading(facts: &Facts) -> String {
     let end = COUNTS.len() - 1;
     let find = |name: &str| facts.rows.iter().find(|r| r.name == name);
-    let (fast, single, precise) = (find("Fast<f32>"), find("f32"), find("Precise<f32>"));
-    let (Some(fast), Some(single), Some(precise), Some(best)) =
-        (fast, single, precise, facts.rows.last())
+    let (coarse, single, precise) = (facts.rows.first(), find("f32"), find("Precise<f32>"));
+    let (Some(coarse), Some(single), Some(precise), Some(best)) =
+        (coarse, single, precise, facts.rows.last())
     else {
         return String::new();
     };
-    let times = |i: usize| best.noise[i] / fast.own[i];
+    let times = |i: usize| best.noise[i] / coarse.own[i];
     let least = (0..=end).map(times).fold(f64::INFINITY, f64::min);
     let n = |row: &Row| crossing(COUNTS[end], last(&best.noise), last(&row.own));
     let agree = facts
@@ -115,20 +115,21 @@ fn reading(facts: &Facts) -> String {
         .map(|r| last(&r.noise) / last(&best.noise) - 1.0);
     format!(
         "
-How to read it: at every count of samples the noise is at least {least:.0} times `Fast<f32>`'s own error, and the
-types' noise at {} samples is the same to {:.0e} of itself. Falling as 1/√n it would come down to the own error of
-`Fast<f32>` at {:.0e} samples a pixel, if that fell no further, and of `f32` at {:.0e}. Where an own error leaps from
+How to read it: at every count of samples the noise is at least {least:.0} times `{0}`'s own error, and the
+types' noise at {1} samples is the same to {2:.0e} of itself. Falling as 1/√n it would come down to the own error of
+`{0}` at {3:.0e} samples a pixel, if that fell no further, and of `f32` at {4:.0e}. Where an own error leaps from
 one count to the next, a rounding has sent a path another way (a ray that just meets an edge, or just misses it); its
-share falls as 1/n from there. Of the median pixel `Fast<f32>` is {:.1} times as far off as `f32`, at {:.2} of its
-time, and `Precise<f32>` {:.1} times: its laws are more exact, its geometry is the same. So `Fast` is enough for a
+share falls as 1/n from there. Of the median pixel `{0}` is {5:.1} times as far off as `f32`, at {6:.2} of its
+time, and `Precise<f32>` {7:.1} times: its laws are more exact, its geometry is the same. So `{0}` is enough for a
 picture; the other types make a sample more exact, not the picture.
 ",
+        coarse.name,
         COUNTS[end],
         agree.map(f64::abs).fold(0.0, f64::max),
-        n(fast),
+        n(coarse),
         n(single),
-        fast.typical / single.typical,
-        fast.time,
+        coarse.typical / single.typical,
+        coarse.time,
         precise.typical / single.typical,
     )
 }

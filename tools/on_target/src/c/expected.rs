@@ -48,6 +48,15 @@ fn c_name(id: Id) -> String {
     name
 }
 
+impl Word for Fast<f32> {
+    fn from_word(word: u32) -> Self {
+        Fast(f32::from_word(word))
+    }
+    fn bits(self) -> u32 {
+        Word::bits(self.0)
+    }
+}
+
 struct Floats<'a, T>(&'a mut String, &'static str, PhantomData<T>);
 
 impl<T: Number + Word> Floats<'_, T> {

@@ -1,7 +1,7 @@
 //! A line for each function of the C program: its name, and a hash of the same calls made in Rust.
 
+use coslobe::CosSin;
 use coslobe::self_test::{self, Alarm, Fault, Subject, Test};
-use coslobe::{CosSin, Fast};
 use fixed::{FixedI16, FixedI32, FixedU16, FixedU32};
 use rand_pcg::Pcg32;
 
@@ -54,15 +54,6 @@ impl Word for f32 {
         } else {
             self.to_bits()
         }
-    }
-}
-
-impl Word for Fast<f32> {
-    fn from_word(word: u32) -> Self {
-        Fast(f32::from_word(word))
-    }
-    fn bits(self) -> u32 {
-        self.0.bits()
     }
 }
 
