@@ -17,7 +17,9 @@ pub fn check(data: &[u8]) {
 }
 
 /// What renders a random scene of flatland or of space in each number type.
-struct Types<'a>(Vec<fn(&mut Choices<'a>, u32) -> Result<(), String>>);
+struct Types<'a>(Vec<Rendered<'a>>);
+
+type Rendered<'a> = fn(&mut Choices<'a>, u32) -> Result<(), String>;
 
 impl NumberVisitor for Types<'_> {
     fn number<T: Number>(&mut self) {

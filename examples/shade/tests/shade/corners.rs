@@ -45,11 +45,12 @@ fn nearest<T: Number>(scene: &Scene<[T; 3]>, ray: &Ray<[T; 3]>) -> Hit<T> {
 fn is_inside<T: Number>(scene: &Scene<[T; 3]>, p: [T; 3]) -> bool {
     scene.plates.iter().enumerate().all(|(i, plate)| {
         let inward = if i % 2 == 0 { 1.0 } else { -1.0 };
-        let (mut near, mut size) = (0.0, 0.0);
-        for k in 0..3 {
-            let part = (p[k].into() - plate.centre[k].into()) * plate.normal[k].into();
-            (near, size) = (near + part, size + f64::abs(part));
-        }
+        let parts: [f64; 3] = core::array::from_fn(|k| {
+            (p[k].into() - plate.centre[k].into()) * plate.normal[k].into()
+        });
+        let (near, size) = parts.iter().fold((0.0, 0.0), |(near, size), part| {
+            (near + part, size + part.abs())
+        });
         if near.abs() > 1e-14 * size {
             return near * inward > 0.0;
         }
@@ -138,8 +139,8 @@ fn leaks<T: Number>(which: usize, paths: u32, vertex: Vertex<T>) -> u64 {
 }
 
 fn all_rooms<T: Number>(paths: u32) {
-    for room in 0..ROOMS.len() {
-        assert_eq!(leaks::<T>(room, paths, kept), 0, "{:?}", ROOMS[room]);
+    for (which, room) in ROOMS.iter().enumerate() {
+        assert_eq!(leaks::<T>(which, paths, kept), 0, "{room:?}");
     }
 }
 
