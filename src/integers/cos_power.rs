@@ -115,8 +115,7 @@ impl CosPower {
     fn log_of(at: CosSin<i32>) -> Number {
         let (cos, sin) = ((at.cos as u32) << 1, (at.sin as u32) << 1);
         let beside_axis = sin < cos;
-        // cos² = 1 − sin² beside the axis; from √½ down to ½ the cosine is still the greater part
-        // of 1.
+        // cos² = 1 − sin² beside the axis; down to ½ the cosine is still the greater part of 1.
         let (m, e) = if beside_axis {
             let (m, shift) = normal(sin);
             let (m, more) = normal(mul_high(m, m));
