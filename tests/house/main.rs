@@ -202,5 +202,5 @@ fn files_and_lines_are_short() {
     }
 }
 
-const MOST_LINES: usize = 260;
+const MOST_LINES: usize = 265;
 const MOST_COLUMNS: usize = 100;
