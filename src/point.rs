@@ -187,8 +187,8 @@ fn on_ray<T: Real, L: Point>(rho: Radius<T>, at: CosSin<T>, r: T, value: T, outs
 /// Points in the plane.
 pub trait PlanarPoint<T: Real>: Planar<T> + Tangent<T> {
     /// Draws the point \[x, y\] itself: the distance times the direction, each component rounded
-    /// once more (of `Precise` four roundings, together within 3 ulp). Randomness: [`Planar::sample`], then
-    /// [`uniform::unit`] for [`Disk`](crate::Disk) alone.
+    /// once more (of `Precise` four roundings, together within 3 ulp). Randomness:
+    /// [`Planar::sample`], then [`uniform::unit`] for [`Disk`](crate::Disk) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 2] {
         let [sin, cos] = Planar::sample(self, rng);
@@ -202,8 +202,8 @@ impl<T: Real, L: Planar<T> + Tangent<T>> PlanarPoint<T> for L {}
 /// Points in space.
 pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
     /// Draws the point \[x, y, z\] itself: the distance times the direction, each component rounded
-    /// once more (of `Precise` four roundings, together within 3 ulp). Randomness: [`Spatial::sample`], then
-    /// [`uniform::unit`] for [`Ball`](crate::Ball) alone.
+    /// once more (of `Precise` four roundings, together within 3 ulp). Randomness:
+    /// [`Spatial::sample`], then [`uniform::unit`] for [`Ball`](crate::Ball) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 3] {
         let (theta, phi) = (T::draw_tail_bits(rng), T::draw_turn_bits(rng));
