@@ -4,7 +4,7 @@ use crate::input::Words;
 use coslobe::integers::{Fixed16Law, FixedLaw, cos_sin};
 use coslobe::{CosSin, Fixed, Fixed16};
 use fixed::traits::Fixed as Number;
-use fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32};
+use fixed::types::{I0F16, I0F32, I1F15, I1F31, U0F16, U0F32, U16F16};
 
 /// A law in one format. An argument that is one word is read from the top of 32 bits.
 pub(super) trait Law: Copy {
@@ -29,6 +29,7 @@ pub(super) trait Law: Copy {
     fn warp_sf(&self, q: u32) -> CosSin<Self::Component>;
     fn unwarps(&self, at: CosSin<Self::Component>) -> [f64; 2];
     fn density(&self, at: CosSin<Self::Component>) -> f64;
+    fn lambert_weight(&self, at: CosSin<Self::Component>) -> U16F16;
     fn pdf(&self, turn: u32) -> f64;
     fn tails(&self, turn: u32) -> [f64; 2];
     fn quantile(&self, p: u32) -> Self::Turn;
@@ -79,6 +80,9 @@ impl<L: FixedLaw<Direction: AsRef<[I1F31]>>> Law for Fixed<L> {
     }
     fn density(&self, at: CosSin<I1F31>) -> f64 {
         wide(self.density(at))
+    }
+    fn lambert_weight(&self, at: CosSin<I1F31>) -> U16F16 {
+        self.lambert_weight(at)
     }
     fn pdf(&self, turn: u32) -> f64 {
         wide(self.pdf(Self::turn(turn)))
@@ -134,6 +138,9 @@ impl<L: Fixed16Law<Direction: AsRef<[I1F15]>>> Law for Fixed16<L> {
     }
     fn density(&self, at: CosSin<I1F15>) -> f64 {
         wide(self.density(at))
+    }
+    fn lambert_weight(&self, at: CosSin<I1F15>) -> U16F16 {
+        self.lambert_weight(at)
     }
     fn pdf(&self, turn: u32) -> f64 {
         wide(self.pdf(Self::turn(turn)))

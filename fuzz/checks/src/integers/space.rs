@@ -1,7 +1,7 @@
 //! What laws in space have beside what all have.
 
 use super::format::wide;
-use super::{assert_near, assert_unit};
+use super::line::{assert_near, assert_unit};
 use crate::input::{Input, Words};
 use coslobe::integers::{Fixed16Spatial, FixedFrame, FixedSpatial};
 use coslobe::{Fixed, Fixed16, NormalError, Sample};
