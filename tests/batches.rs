@@ -1,7 +1,8 @@
-//! Slices: the bits of the scalar calls, for every law and number type, at every width of vectors that
-//! this processor has, for any length and any input.
+//! Slices: the bits of the scalar calls, for every law and number type, at every width of vectors
+//! that this processor has, for any length and any input.
 //!
-//! With the feature `simd` the widths are forced one after the other; without it there is the compiled one.
+//! With the feature `simd` the widths are forced one after the other; without it there is the
+//! compiled one.
 
 mod batches {
     pub(crate) mod inputs;
@@ -16,7 +17,8 @@ use coslobe::{Batch, CosSin, Law, LengthError};
 use kit::batch::{BatchNumber, BatchVisitor, every_batch_number};
 use kit::{Id, LawVisitor, Named, Number, PlanarLaw, SpatialLaw, catalogue};
 
-/// Runs `test` at every width that there is. The width is one for the whole process: one test calls this.
+/// Runs `test` at every width that there is. The width is one for the whole process: one test calls
+/// this.
 fn at_every_width(test: impl Fn(&str)) {
     #[cfg(feature = "simd")]
     {

@@ -1,5 +1,5 @@
-//! Glob imports of this crate and of the crate `fixed` stand in one program: no name of the one hides the
-//! other's that is used, nor the crate itself.
+//! Glob imports of this crate and of the crate `fixed` stand in one program: no name of the one
+//! hides the other's that is used, nor the crate itself.
 
 use coslobe::*;
 use fixed::types::*;

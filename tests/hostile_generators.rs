@@ -1,6 +1,7 @@
 //! Promise: bounded work, whatever the generator.
 //!
-//! Stuck and hostile generators: every sampler ends, draws its documented words and keeps its promises.
+//! Stuck and hostile generators: every sampler ends, draws its documented words and keeps its
+//! promises.
 
 use coslobe::{CosSin, Law, Measure, Planar, Radius, Spatial, Tails, uniform};
 use kit::catalogue::{every_law, every_number};
@@ -44,7 +45,8 @@ fn norm<const N: usize>(v: [f64; N]) -> f64 {
     v.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 
-/// A unit vector to 2 ulp or what the type promises, inside the open support where `law` has a positive finite density.
+/// A unit vector to 2 ulp or what the type promises, inside the open support where `law` has a
+/// positive finite density.
 fn direction<T: Number>(case: &str, law: &impl Law<T>, at: CosSin<T>, length: f64) {
     let zero = T::of(0.0);
     assert!(

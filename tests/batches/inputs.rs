@@ -1,4 +1,5 @@
-//! Inputs that are hard: ends, neighbours of every branch, subnormal numbers, infinities and NaN, and noise.
+//! Inputs that are hard: ends, neighbours of every branch, subnormal numbers, infinities and NaN,
+//! and noise.
 
 use coslobe::uniform::{TailBits, TurnBits};
 use kit::Number;
@@ -70,7 +71,8 @@ pub(crate) fn pairs<T: Number>() -> (Vec<T>, Vec<T>) {
     list.into_iter().unzip()
 }
 
-/// Words whose leading zeros, or ones, are of every number; each with noise, zeros and ones after it.
+/// Words whose leading zeros, or ones, are of every number; each with noise, zeros and ones after
+/// it.
 fn hard_words() -> Vec<u64> {
     let ends = [0, 1, u64::MAX, 1 << 63, (1 << 63) - 1, 1 << 61, 3 << 61];
     let noisy = (0..64).flat_map(|n| [noise(n) >> n, !(noise(n) >> n), 1 << n]);

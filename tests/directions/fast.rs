@@ -9,7 +9,8 @@ fn wide<T: Number>(at: CosSin<T>) -> (f64, f64) {
     (at.cos.into(), at.sin.into())
 }
 
-/// cos²+ sin² − 1 of one word's direction, if it lies above the horizon with a density to divide by.
+/// cos²+ sin² − 1 of one word's direction, if it lies above the horizon with a density to divide
+/// by.
 fn excess(law: &impl Law<Fast<f32>>, bits: u32) -> Option<f64> {
     let at = law.warp_tails(tails_from_bits(bits));
     let density = law.density(at).0;

@@ -1,4 +1,5 @@
-//! Frames and directions around a normal in integers, against `f64`: errors by search, and what normals are refused.
+//! Frames and directions around a normal in integers, against `f64`: errors by search, and what
+//! normals are refused.
 
 use coslobe::integers::FixedFrame;
 use coslobe::rand_core::Rng;

@@ -57,8 +57,8 @@ fn moments_in_every_number_type() {
     every_number(&mut Agree);
 }
 
-/// `CosPower` in `Precise<f32>` too gives the nearest number, where k is one of the format: it computes in
-/// `f64`. `Precise<f64>` does so as well, and so has `f64`'s own errors there.
+/// `CosPower` in `Precise<f32>` too gives the nearest number, where k is one of the format: it
+/// computes in `f64`. `Precise<f64>` does so as well, and so has `f64`'s own errors there.
 #[test]
 fn precise_f32_moments_of_a_lobe_are_the_nearest() {
     let table = include_str!("../reference/moments.csv");

@@ -1,5 +1,6 @@
-//! Points of `Precise`: cos θ, r, the direction's component and their product are each rounded, so that the
-//! point of the words drawn is off by at most 3 ulp (f64: 3.25, since three of them are within 0.55).
+//! Points of `Precise`: cos θ, r, the direction's component and their product are each rounded, so
+//! that the point of the words drawn is off by at most 3 ulp (f64: 3.25, since three of them are
+//! within 0.55).
 
 use crate::precise_directions::{Fine, Words, azimuth, components, error};
 use coslobe::uniform::{self, TailBits, TurnBits};

@@ -119,7 +119,8 @@ fn short_angles_round_to_the_right_side() {
     holds(&subjects, &judge(&subjects, Input::Angle, &angles));
 }
 
-/// `cdf` and `sf` may step back between neighbours, by as much as `Law` says, and of `Precise` never.
+/// `cdf` and `sf` may step back between neighbours, by as much as `Law` says, and of `Precise`
+/// never.
 fn steps_back_by<F: Tiers>(n: u64) {
     let all = Subject::<F>::all(&Id::FIXED).into_iter();
     for s in all.filter(|s| promises_ulps(s.tier)) {

@@ -33,8 +33,8 @@ fn within_their_cells<F: Tiers>(found: &[Attack]) {
 /// Exponent, what the input is, its bits: inputs of `CosPower`.
 type Power = (u64, Input, u64);
 
-/// f32: pdf, pdf_solid_angle and sf beside π/2, where a large k multiplies what the words of π/2 leave
-/// out (3.81 ulp); lambert_weight at a subnormal scale (4.21); warp, warp_sf and isf (2.57).
+/// f32: pdf, pdf_solid_angle and sf beside π/2, where a large k multiplies what the words of π/2
+/// leave out (3.81 ulp); lambert_weight at a subnormal scale (4.21); warp, warp_sf and isf (2.57).
 const POWER_F32: [Power; 7] = [
     (0x407a_d9d0, Input::Angle, 0x3fc9_0fda),
     (0x4082_cd2d, Input::Angle, 0x3fc9_0fda),
@@ -76,8 +76,8 @@ fn worst_inputs_of_powers() {
     powers_within_their_cells::<f64>(&POWER_F64);
 }
 
-/// cos θ = sin θ, which name two directions, at exponents that tell them apart (154 ulp); the least tails
-/// in `Fast` (all digits lost); cos θ = 0.
+/// cos θ = sin θ, which name two directions, at exponents that tell them apart (154 ulp); the least
+/// tails in `Fast` (all digits lost); cos θ = 0.
 #[test]
 fn ties_and_ends_of_powers() {
     for k in [0x3f80_0000, 0x410a_3f10, 0x437a_e542, 0x4386_93b5] {

@@ -175,7 +175,7 @@ fn a_law_and_a_type_are_named_in_few_files() {
 const MOST_OF_A_LAW: usize = 40;
 const MOST_OF_A_TYPE: usize = 35;
 
-/// Generated files apart, about 200 lines; in the crate itself under 100 columns.
+/// Generated files apart, about 200 lines; under 100 columns the crate and all comments.
 #[test]
 fn files_and_lines_are_short() {
     for (path, text) in FOLDERS.iter().flat_map(|f| files(Path::new(f))) {
@@ -190,8 +190,11 @@ fn files_and_lines_are_short() {
         };
         let lines = text.lines().count();
         assert!(lines <= most, "{}: {lines} lines", path.display());
-        for (i, line) in text.lines().enumerate().filter(|_| ours && !generated) {
+        for (i, line) in text.lines().enumerate().filter(|_| !generated) {
             let table = line.trim_start().starts_with("//! |");
+            if !(ours || line.trim_start().starts_with("//")) {
+                continue;
+            }
             let (at, columns) = (path.display(), line.chars().count());
             assert!(
                 table || columns <= MOST_COLUMNS,

@@ -27,7 +27,8 @@ pub(crate) fn reports(seeds: u64) -> Vec<Report> {
         .collect()
 }
 
-/// Scores beyond what χ² has with probability p on a side: \[below, above\], and how many there were.
+/// Scores beyond what χ² has with probability p on a side: \[below, above\], and how many there
+/// were.
 pub(crate) fn beyond(reports: &[Report], p: f64) -> ([u64; 2], usize) {
     let scores = reports.iter().flat_map(|r| {
         [
@@ -111,7 +112,8 @@ fn poisson_tail(expected: &[f64], limit: f64) -> f64 {
 }
 
 /// χ² is a law for many counts; with 16 to 64 expected in a cell the true tail at the limits is
-/// heavier. By how much, for Poisson cells against χ² of as many degrees: the shares have to bear it.
+/// heavier. By how much, for Poisson cells against χ² of as many degrees: the shares have to bear
+/// it.
 #[test]
 fn the_limits_hold_for_counts() {
     let share = 1e-9 / SHARE;

@@ -32,7 +32,8 @@ fn lambert(rng: &mut Words) -> Verdict {
     )
 }
 
-/// What is listed as seen is seen at every seed, under that name; the rest is missed at one at least.
+/// What is listed as seen is seen at every seed, under that name; the rest is missed at one at
+/// least.
 fn agrees(fault: &str, found: &[Option<String>], expected: Option<&str>) {
     match expected {
         Some(names) => {

@@ -31,7 +31,8 @@ fn low(word: u64) -> u64 {
 
 impl Draws for Long {
     const TAIL_SAMPLES: usize = 50_000;
-    /// Of a maximum of n words below 2^(32−s) the probability is 2^−ns; of two words as one number, 2^−s.
+    /// Of a maximum of n words below 2^(32−s) the probability is 2^−ns; of two words as one number,
+    /// 2^−s.
     fn of(id: Id) -> Drawn {
         let (words, depth, shape): (_, _, Shape) = match (id.planar(), id.exponent() as u32) {
             (false, 1) => (3, 30, |i, word| if i < 2 { low(word) } else { word }),

@@ -1,5 +1,5 @@
-//! Tails of the laws that make two uniforms of one word: no single run of zeros leads there, so each half
-//! is sent to the least interval that holds the tail, and what falls outside is dropped.
+//! Tails of the laws that make two uniforms of one word: no single run of zeros leads there, so
+//! each half is sent to the least interval that holds the tail, and what falls outside is dropped.
 
 use coslobe::rand_core::Rng;
 use coslobe::uniform::TailBits;

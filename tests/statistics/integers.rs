@@ -1,5 +1,5 @@
-//! χ², Kolmogorov–Smirnov, moments and tails of the samplers in integers; wrong ones, which must fail them; and
-//! generators that are stuck.
+//! χ², Kolmogorov–Smirnov, moments and tails of the samplers in integers; wrong ones, which must
+//! fail them; and generators that are stuck.
 
 use crate::drawn::{Draws, N};
 use coslobe::integers::CosPower;

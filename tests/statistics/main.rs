@@ -1,6 +1,7 @@
 //! Promise: every sampler draws its law.
 //!
-//! χ², Kolmogorov–Smirnov, moments and tails of every law; and wrong samplers, which must fail them.
+//! χ², Kolmogorov–Smirnov, moments and tails of every law; and wrong samplers, which must fail
+//! them.
 //!
 //! The thorough run: `cargo test --release --test statistics -- --ignored --nocapture`.
 

@@ -154,7 +154,8 @@ impl Points {
                 );
                 accept("azimuth", points.iter().map(|p| turn(p[2], p[0])).collect());
             }
-            // A shell is uniform along the ray, not along the curve: its direction is tested as a law.
+            // A shell is uniform along the ray, not along the curve: its direction is tested as a
+            // law.
             _ => {}
         }
     }

@@ -1,4 +1,5 @@
-//! Promise: total functions. NaN in, NaN out; ±∞, −0 and what lies outside the support have their values.
+//! Promise: total functions. NaN in, NaN out; ±∞, −0 and what lies outside the support have their
+//! values.
 //!
 //! Fuzzing's checks, replayed by `cargo test -p checks`, hold every number type to the same.
 

@@ -1,5 +1,5 @@
-//! What the `Precise` types do with NaN, ∞, signed zeros and arguments outside the support: what the plain
-//! types do, to 16 places.
+//! What the `Precise` types do with NaN, ∞, signed zeros and arguments outside the support: what
+//! the plain types do, to 16 places.
 
 use coslobe::{CosSin, Law, Precise, Spatial};
 use kit::catalogue::every_law;

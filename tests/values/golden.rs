@@ -1,4 +1,5 @@
-//! Value stability: the bits of every law's samples and functions, as committed in `golden/values.txt`.
+//! Value stability: the bits of every law's samples and functions, as committed in
+//! `golden/values.txt`.
 //!
 //! A mismatch is a value-breaking change. If it is meant, mark it "value-breaking" in the changelog
 //! and regenerate the file: `COSLOBE_BLESS=1 cargo test --test values`.

@@ -1,4 +1,5 @@
-//! Value stability: a hash of every result on all words and of 10⁵ samples, as committed in `tests/golden/fixed16.txt`.
+//! Value stability: a hash of every result on all words and of 10⁵ samples, as committed in
+//! `tests/golden/fixed16.txt`.
 //!
 //! If a change is meant, mark it "value-breaking" in the changelog and run
 //! `COSLOBE_BLESS=1 cargo test --test values`.

@@ -1,4 +1,5 @@
-//! Promise: the words of randomness become the documented uniforms, and results that are functions of them.
+//! Promise: the words of randomness become the documented uniforms, and results that are functions
+//! of them.
 
 mod q15;
 mod uniforms;

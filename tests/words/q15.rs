@@ -1,4 +1,5 @@
-//! Each sample against the closed form of the words that it took, which pins what is documented of them.
+//! Each sample against the closed form of the words that it took, which pins what is documented of
+//! them.
 
 use coslobe::integers::Fixed16Law;
 use coslobe::rand_core::Rng;

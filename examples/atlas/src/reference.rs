@@ -1,6 +1,7 @@
 //! The truth about a law, from the references that judge the accuracy tests.
 //!
-//! p is the tail of the horizon: in the plane that of the nearer end, P(Θ ≤ −|θ|); in space P(Θ > θ).
+//! p is the tail of the horizon: in the plane that of the nearer end, P(Θ ≤ −|θ|); in space P(Θ >
+//! θ).
 
 use kit::accuracy::double::Double;
 use kit::accuracy::inverse::warp;

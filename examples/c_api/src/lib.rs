@@ -1,7 +1,7 @@
 //! coslobe for C. The header, include/coslobe.h, says what each function takes and returns.
 //!
-//! Where C's pointers are followed is boundary.rs. The functions are made by build.rs from the table
-//! in surface/; the crate below has no unsafe code.
+//! Where C's pointers are followed is boundary.rs. The functions are made by build.rs from the
+//! table in surface/; the crate below has no unsafe code.
 #![cfg_attr(target_os = "none", no_std)]
 
 mod boundary;

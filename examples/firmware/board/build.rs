@@ -46,7 +46,8 @@ fn main() {
     let write = |name: &str, text: String| {
         fs::write(out.join(name), text).expect("OUT_DIR is writable");
     };
-    // What no device has: the images that count costs hold every operation, and QEMU gives them the room.
+    // What no device has: the images that count costs hold every operation, and QEMU gives them the
+    // room.
     let memory = if env::var_os("CARGO_FEATURE_LARGE_FLASH").is_some() {
         memory.replace("256K", "1M")
     } else {

@@ -1,4 +1,5 @@
-//! The number type comes from `COSLOBE_TYPE`: an image of all types would not fit the smallest board.
+//! The number type comes from `COSLOBE_TYPE`: an image of all types would not fit the smallest
+//! board.
 
 use std::{env, fs, path::Path};
 

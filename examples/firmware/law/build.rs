@@ -1,5 +1,5 @@
-//! One source for every law and number type: `COSLOBE_LAW=Ball COSLOBE_TYPE='Precise<f32>' cargo run -p law`.
-//! Nothing but what they name is in the image.
+//! One source for every law and number type: `COSLOBE_LAW=Ball COSLOBE_TYPE='Precise<f32>' cargo
+//! run -p law`. Nothing but what they name is in the image.
 
 use std::{env, fs, path::Path};
 

@@ -1,5 +1,6 @@
-//! What the image calls is said by `COSLOBE_CALLS`, an expression of type u32 in x, a u32, and rng: see
-//! `src/operations.rs` and `src/integers.rs` for what it may call. Nothing but that is in the image.
+//! What the image calls is said by `COSLOBE_CALLS`, an expression of type u32 in x, a u32, and rng:
+//! see `src/operations.rs` and `src/integers.rs` for what it may call. Nothing but that is in the
+//! image.
 
 use std::{env, fs, path::Path};
 

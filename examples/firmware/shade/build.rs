@@ -1,5 +1,5 @@
-//! Which scene of `../scenes` is rendered: `COSLOBE_SCENE=SoftShadow cargo run -p shade`. The code of effects
-//! that it does not call for is not in the image.
+//! Which scene of `../scenes` is rendered: `COSLOBE_SCENE=SoftShadow cargo run -p shade`. The code
+//! of effects that it does not call for is not in the image.
 
 use std::{env, fs, path::Path};
 

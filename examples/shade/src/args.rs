@@ -50,14 +50,15 @@ pub(crate) enum Task {
     /// What valgrind runs.
     #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
-    /// Measures what each shipped scene costs with the effects that it needs, with all of them, and as
-    /// written by hand; writes shade.md and shade.csv.
+    /// Measures what each shipped scene costs with the effects that it needs, with all of them, and
+    /// as written by hand; writes shade.md and shade.csv.
     Table {
         /// Folder for the tables; other files in it are left alone.
         #[arg(long, default_value = "docs/measured")]
         out: PathBuf,
     },
-    /// Renders a scene in every number type with the same random words: time and error, OUT.md and OUT.png.
+    /// Renders a scene in every number type with the same random words: time and error, OUT.md and
+    /// OUT.png.
     Types {
         /// The scene file (TOML), of a scene in space.
         scene: PathBuf,
@@ -65,7 +66,8 @@ pub(crate) enum Task {
         #[arg(short, long, default_value = "docs/measured/shade_types")]
         out: PathBuf,
     },
-    /// Puts the files of all shares of a frame together: the image that one machine would have made.
+    /// Puts the files of all shares of a frame together: the image that one machine would have
+    /// made.
     Merge {
         /// The files that --tiles wrote, in any order.
         #[arg(required = true)]

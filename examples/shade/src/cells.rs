@@ -1,4 +1,5 @@
-//! What the table compares, scene by scene: the effects needed, all of them, and a shader written by hand.
+//! What the table compares, scene by scene: the effects needed, all of them, and a shader written
+//! by hand.
 
 use crate::file::{World, parse, scene};
 use crate::hand;

@@ -1,5 +1,5 @@
-//! Random scenes for tests and fuzzing, whose numbers are those that go wrong: touching, nested, far off, tiny
-//! and huge.
+//! Random scenes for tests and fuzzing, whose numbers are those that go wrong: touching, nested,
+//! far off, tiny and huge.
 
 use crate::file::World;
 use shade_core::effect::{Combine, Fog, Lamp, Sky, Sun};

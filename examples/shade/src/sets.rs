@@ -1,5 +1,5 @@
-//! The sets of effects that are compiled apart: those of the shipped scenes. Any other scene is rendered by
-//! the program that asks.
+//! The sets of effects that are compiled apart: those of the shipped scenes. Any other scene is
+//! rendered by the program that asks.
 
 use shade_core::Effect::{
     Absorption, Bounces, Diffuse, Emission, Filter, Gloss, Lamp, Lens, Scattering, Sky, Sun,

@@ -1,5 +1,6 @@
 //! What each scene costs with the effects that it needs, with all of them, and as written by hand:
-//! `shade.csv` and `shade.md`. Built with the feature `std` it writes `shade_std.csv`, which the page quotes.
+//! `shade.csv` and `shade.md`. Built with the feature `std` it writes `shade_std.csv`, which the
+//! page quotes.
 
 use indicatif::ProgressBar;
 use kit::study::count::{Missing, counts};
@@ -75,7 +76,8 @@ pub(crate) fn run(out: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Instructions of the way `needed` by scene, as the command built with `std` has counted them, if it has.
+/// Instructions of the way `needed` by scene, as the command built with `std` has counted them, if
+/// it has.
 fn needed_with_std(csv: &Path) -> Result<HashMap<String, f64>, Box<dyn Error>> {
     let mut all = HashMap::new();
     if !csv.exists() {

@@ -1,11 +1,15 @@
-//! The laws in floats: the input chooses an operation, a number type and a law, and one promise of theirs is checked.
+//! The laws in floats: the input chooses an operation, a number type and a law, and one promise of
+//! theirs is checked.
 //!
 //! - `judged`: results lie within their cells of `docs/bounds.md` from `Precise` ones;
-//! - `densities`, `quantiles`, `warps`: total functions, the same law from every side, right outside the support too;
-//! - `samples`, `points`: a unit vector or point inside the open support with a positive finite density, from the
-//!   documented number of words, the same bits by every way to draw it, whatever the generator;
+//! - `densities`, `quantiles`, `warps`: total functions, the same law from every side, right
+//!   outside the support too;
+//! - `samples`, `points`: a unit vector or point inside the open support with a positive finite
+//!   density, from the documented number of words, the same bits by every way to draw it, whatever
+//!   the generator;
 //! - `cos_power`: valid exponents alone, finite moments, and the law's own type at its exponent;
-//! - `frames`, `weights`: orthonormal axes and the way back; weights that sum to 1 and their limits.
+//! - `frames`, `weights`: orthonormal axes and the way back; weights that sum to 1 and their
+//!   limits.
 
 use super::input::Input;
 use super::{cos_power, densities, frames, judged, points, quantiles, samples, warps, weights};

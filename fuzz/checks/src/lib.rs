@@ -1,7 +1,7 @@
 //! What the fuzz targets assert: one module a target, each with `check(data)`.
 //!
-//! The fuzz targets call them, and `tests/replay.rs`, so that every committed seed is also replayed on stable by
-//! `cargo test`.
+//! The fuzz targets call them, and `tests/replay.rs`, so that every committed seed is also replayed
+//! on stable by `cargo test`.
 
 pub mod floats;
 pub mod integers;

@@ -1,5 +1,5 @@
-//! Scene files: whatever the bytes, an answer with a place or a scene that renders to numbers; and the bytes as
-//! choices of a random scene, which does too.
+//! Scene files: whatever the bytes, an answer with a place or a scene that renders to numbers; and
+//! the bytes as choices of a random scene, which does too.
 
 use shade::file::{self, Raw, World};
 use shade::random::{Choose, rendered};

@@ -9,7 +9,8 @@ const SUM_ULP: f64 = 4.0;
 /// The weight against its definition in f64, for `f32`; its own error for `f64`.
 const VALUE_ULP: f64 = 6.0;
 
-/// Of two densities, often the same. (`lambert_weight` is checked with the densities, which define it.)
+/// Of two densities, often the same. (`lambert_weight` is checked with the densities, which define
+/// it.)
 pub(super) fn heuristics<T: Number>(mut input: Input) {
     let a = input.number::<T>(0.0, 2.0);
     let b = match input.flag() && input.flag() {

@@ -46,7 +46,8 @@ fn replay(target: &str, check: fn(&[u8]), explored: usize, seeds: &[Vec<u8>]) {
     }
 }
 
-/// Numbers of either format that even words never meet: ends and their neighbours, and all magnitudes.
+/// Numbers of either format that even words never meet: ends and their neighbours, and all
+/// magnitudes.
 fn edge(rng: &mut Pcg64Mcg) -> u64 {
     const ENDS: [f64; 12] = [
         0.0,

@@ -53,7 +53,8 @@ fn pairs_of_corners() {
     }
 }
 
-/// Outside the support the densities are 0 and the tails 0 or 1, which saturates; at its ends all are exact.
+/// Outside the support the densities are 0 and the tails 0 or 1, which saturates; at its ends all
+/// are exact.
 #[test]
 fn ends_of_the_support() {
     for law in subjects() {

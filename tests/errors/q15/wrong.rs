@@ -20,7 +20,8 @@ fn caught(law: Subject, row: &str) -> bool {
     worst.0 > 8.0
 }
 
-/// Spoiled laws: the exponent of another, an arc for a shell, a tail that is cut, a sine that collapses.
+/// Spoiled laws: the exponent of another, an arc for a shell, a tail that is cut, a sine that
+/// collapses.
 #[test]
 fn wrong_laws_are_caught() {
     let [_, chord, arc, ball, shell, lambert] = subjects()[..] else {

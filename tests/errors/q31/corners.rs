@@ -80,7 +80,8 @@ fn outside_the_support() {
     }
 }
 
-/// A spoiled law: the exponent of Lambert for Ball's, a root taken of a rounded number, a tail that is cut.
+/// A spoiled law: the exponent of Lambert for Ball's, a root taken of a rounded number, a tail that
+/// is cut.
 #[test]
 fn wrong_laws_are_caught() {
     let subjects = subjects();

@@ -6,7 +6,8 @@ use fixed::types::{I0F32, I1F31, U0F32, U16F16};
 use kit::integer::reference::{Q31, Q32, power_pair};
 use std::f64::consts::TAU;
 
-/// (k, largest error of [warp, warp_sf, unit, quantile, cdf, sf, pdf, density]); the last two in units of 2⁻¹⁶.
+/// (k, largest error of [warp, warp_sf, unit, quantile, cdf, sf, pdf, density]); the last two in
+/// units of 2⁻¹⁶.
 ///
 /// cdf and density grow with k: an angle or a pair rounded to its format is off by that much.
 const POWERS: [(f64, [f64; 8]); 10] = [

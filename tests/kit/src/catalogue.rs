@@ -1,4 +1,5 @@
-//! Every law and every number type: whoever adds one adds it here, and all that walks these lists has it.
+//! Every law and every number type: whoever adds one adds it here, and all that walks these lists
+//! has it.
 
 use crate::Number;
 pub use crate::visitor::*;

@@ -228,7 +228,8 @@ impl Plane {
     }
 }
 
-/// A Lambert direction in integers, components in Q31: square roots of 16 bits, and `idsp`'s cosine and sine.
+/// A Lambert direction in integers, components in Q31: square roots of 16 bits, and `idsp`'s cosine
+/// and sine.
 #[inline(always)]
 pub fn lambert_by_idsp(u: u32, turn: u32) -> [i32; 3] {
     let (cos, sin) = (u.isqrt() as i32, (!u).isqrt() as i32);

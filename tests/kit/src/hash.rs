@@ -2,9 +2,9 @@
 
 use crate::Sink;
 
-/// FNV-1a over 64-bit words instead of bytes, with a rotation that carries the top bits down, where the
-/// product alone would leave two changed signs to cancel. Each step is a bijection of the state, so no
-/// single changed value goes unseen.
+/// FNV-1a over 64-bit words instead of bytes, with a rotation that carries the top bits down, where
+/// the product alone would leave two changed signs to cancel. Each step is a bijection of the
+/// state, so no single changed value goes unseen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hash(u64);
 

@@ -14,8 +14,8 @@ pub(crate) struct Input<T> {
     pub(crate) hostile: bool,
 }
 
-/// In turn: any bit patterns; a probability; an angle a little beyond the support; a number within 2¹⁶ ulp
-/// of where a domain ends or a formula changes.
+/// In turn: any bit patterns; a probability; an angle a little beyond the support; a number within
+/// 2¹⁶ ulp of where a domain ends or a formula changes.
 #[inline]
 pub(crate) fn input<T: Number>(index: u32) -> Input<T> {
     let (a, b) = (mix(index, 0), mix(index, 1));

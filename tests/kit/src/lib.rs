@@ -1,8 +1,9 @@
 //! What tests, fuzzing, studies, firmware and applications share.
 //!
-//! Without `std`, what firmware computes: samples and evaluations of each law in each number type, as text.
-//! Firmware passes its command line to [`answer`] and prints what that writes; the host calls the same
-//! function and compares the lines. One that differs names law, type, stream and input.
+//! Without `std`, what firmware computes: samples and evaluations of each law in each number type,
+//! as text. Firmware passes its command line to [`answer`] and prints what that writes; the host
+//! calls the same function and compares the lines. One that differs names law, type, stream and
+//! input.
 //!
 //! With `std`, what judges results: references, wide arithmetic, measuring and statistics.
 #![cfg_attr(not(feature = "std"), no_std)]

@@ -28,7 +28,8 @@ pub trait Number: Real + Into<f64> {
 
     /// Distance from 1 to the next number of the format.
     const EPSILON: f64;
-    /// The unit of a direction's length: [`Number::EPSILON`], or what makes the promise of a coarser type 2 of it.
+    /// The unit of a direction's length: [`Number::EPSILON`], or what makes the promise of a
+    /// coarser type 2 of it.
     const ULP: f64 = Self::EPSILON;
     /// How far from 1 a direction's length may be.
     const LENGTH: f64 = 2.0 * Self::ULP;

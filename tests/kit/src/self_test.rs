@@ -1,5 +1,5 @@
-//! Cases of the power-on self-test: generators and samplers, good and faulty, and the verdict on each, which
-//! boards and host compare.
+//! Cases of the power-on self-test: generators and samplers, good and faulty, and the verdict on
+//! each, which boards and host compare.
 
 use core::convert::Infallible;
 use coslobe::integers::CosPower;

@@ -3,7 +3,8 @@
 use crate::{Drawn, Format, Number};
 use coslobe::{Fast, Precise, Real};
 
-/// Whether the number type of this name promises ulps and order; `Fast` promises a relative error of 2⁻¹² instead.
+/// Whether the number type of this name promises ulps and order; `Fast` promises a relative error
+/// of 2⁻¹² instead.
 pub fn promises_ulps(name: &str) -> bool {
     name != Fast::<f32>::NAME
 }

@@ -91,7 +91,8 @@ pub trait IntegerVisitor {
     fn spatial<L: IntegerLaw + FixedSpatial + Fixed16Spatial>(&mut self, law: L) {
         self.law(law);
     }
-    /// `CosPower`, which has 32 bits alone, with the exponent nearest to [`EXPONENT`](crate::EXPONENT).
+    /// `CosPower`, which has 32 bits alone, with the exponent nearest to
+    /// [`EXPONENT`](crate::EXPONENT).
     fn power(&mut self, _: CosPower) {}
 }
 

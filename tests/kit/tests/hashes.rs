@@ -1,6 +1,6 @@
 //! The hashes of `hashes.txt` on this machine, whatever it is: unoptimised with overflow checks, or
-//! big-endian under Miri (`cargo +nightly miri test --target s390x-unknown-linux-gnu`) or QEMU (the same target, a
-//! cross linker, `qemu-s390x` as its runner: see `check`).
+//! big-endian under Miri (`cargo +nightly miri test --target s390x-unknown-linux-gnu`) or QEMU (the
+//! same target, a cross linker, `qemu-s390x` as its runner: see `check`).
 //!
 //! `COSLOBE_LAST` at compile time says up to which count; 1048576 takes all that there are.
 

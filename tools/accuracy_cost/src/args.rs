@@ -20,15 +20,18 @@ pub(crate) struct Args {
     #[arg(long, default_value = "docs/measured")]
     pub(crate) out: PathBuf,
 
-    /// Take the errors of our operations from accuracy_errors.json in the folder: measure costs alone.
+    /// Take the errors of our operations from accuracy_errors.json in the folder: measure costs
+    /// alone.
     #[arg(long, conflicts_with = "errors")]
     pub(crate) keep_errors: bool,
 
-    /// Take them from FILE: such a file, or the bare rows that tests/kit/src/accuracy/rows.rs writes.
+    /// Take them from FILE: such a file, or the bare rows that tests/kit/src/accuracy/rows.rs
+    /// writes.
     #[arg(long, value_name = "FILE")]
     pub(crate) errors: Option<PathBuf>,
 
-    /// Write nothing: count instructions twice, expect no difference, and the right law of each sampler.
+    /// Write nothing: count instructions twice, expect no difference, and the right law of each
+    /// sampler.
     #[arg(long, conflicts_with_all = ["keep_errors", "errors"])]
     pub(crate) check: bool,
 
@@ -85,7 +88,8 @@ pub(crate) enum Task {
     /// What valgrind runs.
     #[command(name = kit::study::count::SUBCOMMAND, hide = true)]
     CountCells,
-    /// Prints the nanoseconds a direction that Lambert.warp_direction_slice takes over a file of f32 (native bytes).
+    /// Prints the nanoseconds a direction that Lambert.warp_direction_slice takes over a file of
+    /// f32 (native bytes).
     LambertDirections {
         /// All of u, then all of v.
         input: PathBuf,
@@ -96,19 +100,22 @@ pub(crate) enum Task {
     /// What valgrind runs for functions of slices.
     #[command(name = crate::vectors::SUBCOMMAND, hide = true)]
     CountSlices,
-    /// Measures times alone; prints each limit, as a ratio to a peer in the same run, and whether it is reached.
+    /// Measures times alone; prints each limit, as a ratio to a peer in the same run, and whether
+    /// it is reached.
     Limits {
         /// Exits with 1 where a limit is missed or not measured.
         #[arg(long)]
         strict: bool,
     },
-    /// Counts instructions an element of loops that shall be vectors, at SSE2 and AVX2: fails where one is none.
+    /// Counts instructions an element of loops that shall be vectors, at SSE2 and AVX2: fails where
+    /// one is none.
     Vectors,
     /// Merges all parts of a run.
     Merge(MergeArgs),
     /// Searches for the inputs with the largest errors.
     Search(SearchArgs),
-    /// Prints the nanoseconds an element that Disk.quantile takes over a file of f64 (native bytes).
+    /// Prints the nanoseconds an element that Disk.quantile takes over a file of f64 (native
+    /// bytes).
     DiskQuantile {
         /// The probabilities.
         input: PathBuf,

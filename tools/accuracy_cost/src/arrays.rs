@@ -1,5 +1,5 @@
-//! Loops over arrays: `out[i] = f(u[i])` of pairs, as a renderer's author writes it, and the functions
-//! of slices at each width of vectors.
+//! Loops over arrays: `out[i] = f(u[i])` of pairs, as a renderer's author writes it, and the
+//! functions of slices at each width of vectors.
 
 use crate::contender::{Contender, EXPONENT, plain};
 use coslobe::batch::width::{Width, limit, widest};

@@ -40,7 +40,8 @@ pub(crate) fn all() -> Vec<Contender> {
     list
 }
 
-/// All cells in the order that they are counted in: the contenders' that can be, then the generator's.
+/// All cells in the order that they are counted in: the contenders' that can be, then the
+/// generator's.
 pub(crate) struct Counted {
     pub(crate) list: Vec<Contender>,
     pub(crate) generator: [Cell; 2],

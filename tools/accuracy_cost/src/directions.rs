@@ -1,4 +1,5 @@
-//! `Lambert.warp_direction_slice` over a caller's numbers, for a comparison with another program's time.
+//! `Lambert.warp_direction_slice` over a caller's numbers, for a comparison with another program's
+//! time.
 
 use coslobe::{Lambert, Spatial};
 use std::fs;

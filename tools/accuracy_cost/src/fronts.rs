@@ -17,7 +17,8 @@ const OPERATIONS: [[&str; 3]; 2] = [
     [DIRECTION, "warp_direction_slice", "given uniforms"],
     [SAMPLE, "sample_slice", "drawn"],
 ];
-/// Okabe and Ito's, told apart by colour-blind eyes too: the plain types', then those of the others.
+/// Okabe and Ito's, told apart by colour-blind eyes too: the plain types', then those of the
+/// others.
 const COLORS: [RGBColor; 5] = [
     RGBColor(0, 114, 178),
     RGBColor(0, 0, 0),

@@ -6,11 +6,13 @@
 //! cargo run --release -p accuracy_cost -- --stride 1 --samples 3000000   # every f32: hours
 //! cargo run --release -p accuracy_cost -- --keep-errors   # costs alone, errors as they stand
 //! cargo run --release -p accuracy_cost -- --check         # counts twice, expects no difference
-//! cargo run --release -p accuracy_cost -- search --seconds 200   # the worst inputs of f64 and CosPower: an hour
+//! cargo run --release -p accuracy_cost -- search --seconds 200   # the worst inputs of f64 and
+//! CosPower: an hour
 //! ```
 //!
-//! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_time.svg`, `accuracy_errors.json` and `stability.svg`. Needs valgrind for the
-//! instructions (`apt install valgrind`); `docs/measured/scipy.csv` comes from `tools/scipy_peer.py`.
+//! Writes `accuracy_cost.{csv,md,svg}`, `accuracy_time.svg`, `accuracy_errors.json` and
+//! `stability.svg`. Needs valgrind for the instructions (`apt install valgrind`);
+//! `docs/measured/scipy.csv` comes from `tools/scipy_peer.py`.
 
 mod args;
 mod arrays;

@@ -99,8 +99,8 @@ impl Row {
     }
 }
 
-/// Rows of what was measured: `own` errors are for what no other judge knows. A function of slices has
-/// the errors of the scalar call, whose bits it has.
+/// Rows of what was measured: `own` errors are for what no other judge knows. A function of slices
+/// has the errors of the scalar call, whose bits it has.
 pub(crate) fn rows(
     list: &[Contender],
     counts: &[Option<f64>],

@@ -26,7 +26,8 @@ pub(crate) fn child() {
 
 /// Fails where a loop takes more instructions an element than the vectors of its width do.
 ///
-/// Bounds lie a quarter above what rustc 1.95 reaches; a loop that is none of vectors takes several times as many.
+/// Bounds lie a quarter above what rustc 1.95 reaches; a loop that is none of vectors takes several
+/// times as many.
 pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     let list = counted();
     let calls: Vec<_> = list.iter().map(|c| c.cell.calls).collect();
@@ -67,12 +68,12 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// AVX2 holds twice as many elements as SSE2: a loop that takes nearly as many instructions at both is none
-/// of vectors.
+/// AVX2 holds twice as many elements as SSE2: a loop that takes nearly as many instructions at both
+/// is none of vectors.
 fn no_vectors(list: &[Contender], counted: &[f64]) -> Vec<String> {
     let all = || list.iter().zip(counted);
-    // A generator's words come one after the other; near the axis ln cos θ is `libm`'s log1p, which branches, as
-    // do the coarse type's logarithms and powers.
+    // A generator's words come one after the other; near the axis ln cos θ is `libm`'s log1p, which
+    // branches, as do the coarse type's logarithms and powers.
     let branches = |c: &Contender| match c.law {
         Id::CosPower(_) => c.name != c.format,
         Id::Disk | Id::CircleShell => c.operation == "ln_pdf_slice",

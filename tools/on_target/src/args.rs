@@ -17,15 +17,18 @@ pub(crate) enum Task {
     Run,
     /// Compares hashes of samples and evaluations on every board with the committed ones.
     Hashes(Hashes),
-    /// Proves of release images: no panic, allocation, static RAM, soft-double or law that is not used.
+    /// Proves of release images: no panic, allocation, static RAM, soft-double or law that is not
+    /// used.
     Links,
     /// Links a C program with the laws, runs it here and on every board; checks the C header.
     C,
     /// Runs the power-on check on every board: with a good generator, and with planted faults.
     SelfTest,
-    /// Counts instructions, flash, stack and words of every operation on every board; writes the tables and the plot.
+    /// Counts instructions, flash, stack and words of every operation on every board; writes the
+    /// tables and the plot.
     Cost(Cost),
-    /// Renders small scenes on the M4F: the host's pixels, and no code of effects that they do not call for.
+    /// Renders small scenes on the M4F: the host's pixels, and no code of effects that they do not
+    /// call for.
     Shade(Shade),
 }
 

@@ -11,7 +11,8 @@ use std::time::{Duration, Instant};
 /// How to run.
 #[derive(Clone, Copy)]
 pub(crate) struct Emulation {
-    /// One instruction is one nanosecond of the board's clocks: counts repeat, at a third of the speed.
+    /// One instruction is one nanosecond of the board's clocks: counts repeat, at a third of the
+    /// speed.
     pub(crate) counts: bool,
     pub(crate) timeout: Duration,
 }

@@ -87,7 +87,8 @@ const COSTS: [&str; 3] = [
     "bytes of stack in integers: ",
 ];
 
-/// The costs, if the table in docs/measured/self_test.md has them to a tenth: they move with the compiler.
+/// The costs, if the table in docs/measured/self_test.md has them to a tenth: they move with the
+/// compiler.
 fn documented(board: &Board, text: &str) -> Result<String> {
     let page = include_str!("../../../docs/measured/self_test.md");
     let row = format!("| {} | ", board.name);

@@ -1,5 +1,5 @@
-//! Small scenes on a board with an FPU: the host's pixels to the bit, and no code of effects that a scene does
-//! not call for; what they cost.
+//! Small scenes on a board with an FPU: the host's pixels to the bit, and no code of effects that a
+//! scene does not call for; what they cost.
 
 mod pixels;
 mod table;

@@ -36,8 +36,8 @@ pub fn exit_code(name: &str, done: Result<(), impl Display>) -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Text from outside as one line: what a terminal would obey, or that would turn the direction of writing,
-/// is spelled out.
+/// Text from outside as one line: what a terminal would obey, or that would turn the direction of
+/// writing, is spelled out.
 pub fn plain(text: impl Display) -> String {
     let mut plain = String::new();
     for c in text.to_string().chars() {

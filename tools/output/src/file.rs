@@ -26,10 +26,12 @@ fn wrong(path: &Path, what: impl std::fmt::Display) -> String {
 }
 
 impl File {
-    /// The file at `path`, behind its links. `inputs` are what is read; none of them may be overwritten.
+    /// The file at `path`, behind its links. `inputs` are what is read; none of them may be
+    /// overwritten.
     ///
     /// # Errors
-    /// If it is an input, or cannot be written: a folder, a missing or forbidden folder, a name too long.
+    /// If it is an input, or cannot be written: a folder, a missing or forbidden folder, a name too
+    /// long.
     pub fn check(path: &Path, inputs: &[&Path]) -> Result<File, String> {
         let explain = |e: io::Error| wrong(path, format_args!("cannot be written: {e}"));
         let ends_in_name = path.components().next_back().is_some_and(|last| {
@@ -78,7 +80,8 @@ impl File {
     /// Writes it.
     ///
     /// # Errors
-    /// If that fails; what was there before stays, but for devices and pipes, and no other file is left.
+    /// If that fails; what was there before stays, but for devices and pipes, and no other file is
+    /// left.
     pub fn write(&self, data: &[u8]) -> Result<(), String> {
         outlive_limits();
         let written = match &self.way {

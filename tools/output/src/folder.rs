@@ -18,10 +18,12 @@ fn wrong(path: &Path, what: impl std::fmt::Display) -> String {
 }
 
 impl Folder {
-    /// The folder at `target`, of which files of these names will be written. Checked before the work starts.
+    /// The folder at `target`, of which files of these names will be written. Checked before the
+    /// work starts.
     ///
     /// # Errors
-    /// If the target or a folder above it is a file or may not be written to, or one of the names cannot be.
+    /// If the target or a folder above it is a file or may not be written to, or one of the names
+    /// cannot be.
     pub fn check<'n>(
         target: &Path,
         names: impl IntoIterator<Item = &'n str>,

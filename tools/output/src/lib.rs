@@ -1,5 +1,5 @@
-//! What the commands write: files and folders that are checked before the work starts and appear whole or
-//! not at all, and text that no terminal takes for orders.
+//! What the commands write: files and folders that are checked before the work starts and appear
+//! whole or not at all, and text that no terminal takes for orders.
 
 mod console;
 mod file;

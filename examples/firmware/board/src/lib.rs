@@ -1,4 +1,5 @@
-//! What depends on the board: start-up, panic, output and exit by semihosting, a counter of instructions.
+//! What depends on the board: start-up, panic, output and exit by semihosting, a counter of
+//! instructions.
 //!
 //! The rest of the firmware has no `unsafe` and does not know where it runs:
 //!

@@ -1,4 +1,5 @@
-//! A counter of instructions, exact under QEMU's `-icount shift=0`, where one instruction is one nanosecond.
+//! A counter of instructions, exact under QEMU's `-icount shift=0`, where one instruction is one
+//! nanosecond.
 
 /// A running counter. Cortex-M: SysTick on the core's clock, 24 bits. RISC-V: `minstret`.
 pub struct Ticks {
@@ -43,7 +44,8 @@ impl Ticks {
         Ticks { start, timer }
     }
 
-    /// Ticks since the start or the last [`restart`](Ticks::restart), modulo [`PERIOD`](Ticks::PERIOD).
+    /// Ticks since the start or the last [`restart`](Ticks::restart), modulo
+    /// [`PERIOD`](Ticks::PERIOD).
     #[inline(always)]
     pub fn elapsed(&self) -> u32 {
         // It counts downwards.
@@ -71,7 +73,8 @@ impl Ticks {
         Ticks { start: now() }
     }
 
-    /// Instructions since the start or the last [`restart`](Ticks::restart), modulo [`PERIOD`](Ticks::PERIOD).
+    /// Instructions since the start or the last [`restart`](Ticks::restart), modulo
+    /// [`PERIOD`](Ticks::PERIOD).
     #[inline(always)]
     pub fn elapsed(&self) -> u32 {
         now().wrapping_sub(self.start)

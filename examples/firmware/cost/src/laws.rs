@@ -34,8 +34,8 @@ pub(crate) fn counted_name(id: Id) -> &'static str {
     }
 }
 
-// The methods themselves, not closures around them: a method that two operations share is not inlined, and a
-// closure would add its own call to the count.
+// The methods themselves, not closures around them: a method that two operations share is not
+// inlined, and a closure would add its own call to the count.
 
 fn law<T: Number, L: Law<T>>(meter: &mut Meter, law: &L, planar: bool) {
     let (theta, at, p) = (

@@ -7,8 +7,9 @@
 //! LAW OPERATION ADDRESS WORDS STACK,BASE_STACK BASE_TICKS TICKS,TICKS,...
 //! ```
 //!
-//! Ticks are of `REPEATS` calls of one input: so many that a call's instructions are the rounded quotient. The
-//! host takes off those of a call of a function that only returns (`tools/on_target/src/cost`).
+//! Ticks are of `REPEATS` calls of one input: so many that a call's instructions are the rounded
+//! quotient. The host takes off those of a call of a function that only returns
+//! (`tools/on_target/src/cost`).
 #![no_std]
 
 mod directions;

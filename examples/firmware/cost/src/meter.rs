@@ -130,7 +130,8 @@ impl Meter<'_> {
 
     #[inline(never)]
     fn repeat<F: Copy, A>(&mut self, f: F, x: &A, once: impl Fn(F, &A)) -> u32 {
-        // From the edge of a tick, so that the count is short of the truth by half a tick in the mean.
+        // From the edge of a tick, so that the count is short of the truth by half a tick in the
+        // mean.
         self.ticks.restart();
         while self.ticks.elapsed() == 0 {}
         self.ticks.restart();

@@ -1,4 +1,5 @@
-//! One law in one number type prints a few directions: `cargo run -p law`. Which ones, `build.rs` says.
+//! One law in one number type prints a few directions: `cargo run -p law`. Which ones, `build.rs`
+//! says.
 #![no_std]
 #![no_main]
 

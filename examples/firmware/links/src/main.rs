@@ -1,6 +1,6 @@
 //! An image of operations and nothing else: no board, no start-up code, no output. It links only if
-//! neither a panic nor an allocation is reachable, since both call symbols that exist nowhere; what else it
-//! must not have, `on_target links` looks for. Not meant to run.
+//! neither a panic nor an allocation is reachable, since both call symbols that exist nowhere; what
+//! else it must not have, `on_target links` looks for. Not meant to run.
 #![no_std]
 #![no_main]
 

@@ -151,7 +151,8 @@ fn point<T: Real>(law: &impl SpatialPoint<T>, rho: Radius<T>, x: T, rng: &mut Wo
     law.point_density(rho, at, x) + law.ln_point_density(rho, at, x) + law.sample_point(rho, rng)[0]
 }
 
-/// One pixel of a small scene, which lies at the address `x`: the shader without the scene's contents.
+/// One pixel of a small scene, which lies at the address `x`: the shader without the scene's
+/// contents.
 pub fn shaded<S: scenes::Small>(x: u32, rng: &mut Words) -> u32 {
     // SAFETY: none is needed, since the image is not meant to run.
     let scene = unsafe { &*(x as *const shade_core::Scene<S::World>) };

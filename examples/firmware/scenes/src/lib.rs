@@ -1,5 +1,6 @@
-//! Small scenes, each with the effects that it calls for as part of its type: what another effect would take
-//! is not compiled. Firmware renders them and prints the pixels' bits; the host does the same and compares.
+//! Small scenes, each with the effects that it calls for as part of its type: what another effect
+//! would take is not compiled. Firmware renders them and prints the pixels' bits; the host does the
+//! same and compares.
 #![no_std]
 #![forbid(unsafe_code)]
 

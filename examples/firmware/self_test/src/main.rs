@@ -1,5 +1,6 @@
-//! Power-on: is the generator sound, and do the samplers yield their laws? `cargo run -p self_test` checks
-//! a good generator; `cargo run -p self_test stuck` one that is stuck. The cases are in the kit.
+//! Power-on: is the generator sound, and do the samplers yield their laws? `cargo run -p self_test`
+//! checks a good generator; `cargo run -p self_test stuck` one that is stuck. The cases are in the
+//! kit.
 #![no_std]
 #![no_main]
 

@@ -9,7 +9,8 @@ use rand_pcg::Pcg32;
 
 #[board::entry]
 fn main() -> ! {
-    // On a device the seed comes from its hardware: two devices with one seed draw the same directions.
+    // On a device the seed comes from its hardware: two devices with one seed draw the same
+    // directions.
     let mut rng = Pcg32::new(2024, 1);
 
     info!("Planar laws: [sin θ, cos θ], θ from the axis");

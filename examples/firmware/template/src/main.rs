@@ -39,7 +39,8 @@ fn main() -> ! {
         }
     }
 
-    // Straight from the hardware: an error is handed on, and no direction is made of half the words.
+    // Straight from the hardware: an error is handed on, and no direction is made of half the
+    // words.
     device.fail_once();
     for _ in 0..2 {
         match law.try_sample(&mut device) {

@@ -4,9 +4,9 @@ use crate::{Aim, Effects, Meter, Number, Place, Rgb, Sampling, Scene, Vector, ra
 
 /// Sums of a pixel's samples, relative to the first: equal samples have a variance of exactly 0.
 ///
-/// Each sum carries what rounding left of it (Kahan): it is right to 2u, and u²n of its terms' sizes, which at
-/// the most samples is still below 2u in the narrowest type. A plain sum would lose its digits as it grows.
-/// Source: W. Kahan, *Further remarks on reducing truncation errors*, 1965.
+/// Each sum carries what rounding left of it (Kahan): it is right to 2u, and u²n of its terms'
+/// sizes, which at the most samples is still below 2u in the narrowest type. A plain sum would lose
+/// its digits as it grows. Source: W. Kahan, *Further remarks on reducing truncation errors*, 1965.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pixel<T> {
     /// How many samples.
@@ -48,7 +48,8 @@ impl<T: Number> Pixel<T> {
 }
 
 impl<T: Number> Pixel<T> {
-    /// The pixel `i` (counted along rows) from `count` samples of what `radiance` says at their places.
+    /// The pixel `i` (counted along rows) from `count` samples of what `radiance` says at their
+    /// places.
     #[inline(always)]
     pub fn collect(
         i: u32,

@@ -1,4 +1,5 @@
-//! The crate's laws as the shader uses them: to draw a direction around an axis, and its density there.
+//! The crate's laws as the shader uses them: to draw a direction around an axis, and its density
+//! there.
 
 use crate::scalar::zero;
 use crate::{Number, Vector};
@@ -8,7 +9,8 @@ use coslobe::{CosSin, Law, Planar, Spatial, uniform};
 
 /// A law that draws directions around an axis in the world of `V`.
 pub trait Sampling<V: Vector>: Copy + Send + Sync + Debug {
-    /// The direction, (cos θ, sin θ) and the density, rad⁻¹ or sr⁻¹: those of the angle that was drawn.
+    /// The direction, (cos θ, sin θ) and the density, rad⁻¹ or sr⁻¹: those of the angle that was
+    /// drawn.
     fn draw<R: Rng>(&self, axis: V, rng: &mut R) -> (V, CosSin<V::T>, V::T);
     /// Density of the direction `d` around `axis`.
     fn density_of(&self, axis: V, d: V) -> V::T;
@@ -24,8 +26,8 @@ pub trait Reads {
     const SINE: bool = false;
     /// It is the law of diffuse reflection itself, whose samples all weigh 1.
     const DIFFUSE: bool = false;
-    /// Its samples split a word, each number type in a way of its own. By its warp all types draw the same
-    /// directions, so that their pictures can be compared.
+    /// Its samples split a word, each number type in a way of its own. By its warp all types draw
+    /// the same directions, so that their pictures can be compared.
     const SPLITS: bool = false;
 }
 

@@ -71,7 +71,8 @@ pub enum AnySpatial<T: Number> {
 }
 
 impl<T: Number> AnySpatial<T> {
-    /// The law of that name; `None` of flatland's, or of an exponent that `CosPower` does not admit.
+    /// The law of that name; `None` of flatland's, or of an exponent that `CosPower` does not
+    /// admit.
     pub fn named(name: LawName, exponent: T) -> Option<Self> {
         Some(match name {
             LawName::Lambert => Self::Lambert,

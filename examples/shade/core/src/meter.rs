@@ -21,8 +21,9 @@ pub trait Meter {
 
 impl Meter for () {}
 
-/// Counts nothing; draws the same numbers in every number type, to their precision: a stream's second
-/// number begins its second block, whatever count of words the first, a tail, took in the type `T`.
+/// Counts nothing; draws the same numbers in every number type, to their precision: a stream's
+/// second number begins its second block, whatever count of words the first, a tail, took in the
+/// type `T`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Aligned<T>(PhantomData<T>);
 

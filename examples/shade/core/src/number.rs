@@ -4,8 +4,9 @@ use coslobe::{Fast, Precise, Real};
 
 /// A number type of `coslobe` that scenes are rendered in.
 ///
-/// Geometry is computed in the format's own arithmetic whatever the tier: the tier decides how exact the
-/// laws are. Exponentials and logarithms (fog alone asks for them) are `libm`'s of the format.
+/// Geometry is computed in the format's own arithmetic whatever the tier: the tier decides how
+/// exact the laws are. Exponentials and logarithms (fog alone asks for them) are `libm`'s of the
+/// format.
 pub trait Number: Real + Into<f64> {
     /// As in `coslobe`'s documentation.
     const NAME: &'static str;

@@ -28,9 +28,9 @@ pub(crate) type Vertex<'s, V> = (V, Lobe<'s, V>);
 
 /// Radiance of one sample of a pixel.
 ///
-/// A path is followed from the camera to at most `scene.bounces` scatterings. At each, sun and lamps are
-/// asked for their light directly; sky and emitters are met by the path itself, and lamps by both.
-/// Its last ray is traced only if there is something that it could meet.
+/// A path is followed from the camera to at most `scene.bounces` scatterings. At each, sun and
+/// lamps are asked for their light directly; sky and emitters are met by the path itself, and lamps
+/// by both. Its last ray is traced only if there is something that it could meet.
 #[inline(always)]
 pub fn radiance<V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
     scene: &Scene<V>,
@@ -70,7 +70,8 @@ pub fn radiance<V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
 }
 
 impl<'s, V: Vector, E: Effects, L: Sampling<V>, M: Meter> Path<'s, V, E, L, M> {
-    /// Follows the ray to where it is scattered, of which there are `left`, and returns the ray that goes on.
+    /// Follows the ray to where it is scattered, of which there are `left`, and returns the ray
+    /// that goes on.
     #[inline(always)]
     fn segment(&mut self, ray: &Ray<V>, hit: Hit<V::T>, left: u16) -> Option<Ray<V>> {
         let e = self.e;

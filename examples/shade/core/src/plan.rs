@@ -7,7 +7,8 @@ use coslobe::uniform::{TailBits, TurnBits};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
 pub enum Effect {
-    /// The ray through a pixel's centre; in flatland a probe of the light at the pixel. Never absent.
+    /// The ray through a pixel's centre; in flatland a probe of the light at the pixel. Never
+    /// absent.
     Camera,
     /// Antialiasing: rays spread over the pixel.
     Filter,
@@ -65,8 +66,8 @@ impl Effect {
         }
     }
 
-    /// What one entry into the effect costs in the world of `V`. The ray of a reflection is the one that
-    /// leaves the surface.
+    /// What one entry into the effect costs in the world of `V`. The ray of a reflection is the one
+    /// that leaves the surface.
     pub fn cost<V: Vector>(self) -> Cost {
         let tail = size_of::<TailBits<V::T>>() / 4;
         let turn = size_of::<TurnBits<V::T>>() / 4;

@@ -162,8 +162,9 @@ impl<V: Vector> Scene<V> {
         self.materials.get(usize::from(material))
     }
 
-    /// (the point, the unit normal) of a sphere or plate that was hit, both on the side that the ray comes
-    /// from: the point lies off the surface as far as rounding reaches, and is [`kept`](Scene::kept).
+    /// (the point, the unit normal) of a sphere or plate that was hit, both on the side that the
+    /// ray comes from: the point lies off the surface as far as rounding reaches, and is
+    /// [`kept`](Scene::kept).
     #[inline(always)]
     pub fn surface(&self, ray: &Ray<V>, hit: Hit<V::T>) -> Option<(V, V)> {
         let p = ray.at(hit.t);
@@ -176,13 +177,14 @@ impl<V: Vector> Scene<V> {
         Some((self.kept(ray.origin, p, hit.target), normal))
     }
 
-    /// A point that a ray from `from` led to, on the same side as `from` of all that it did not pass: what is
-    /// so near that rounding may have taken the point through it pushes it back. `of` has done so already.
+    /// A point that a ray from `from` led to, on the same side as `from` of all that it did not
+    /// pass: what is so near that rounding may have taken the point through it pushes it back. `of`
+    /// has done so already.
     #[inline(always)]
     pub fn kept(&self, from: V, mut p: V, mut of: Target) -> V {
         let size = size(from, p);
-        // In a sharp corner one push may undo another; each round leaves less of that, and these are enough
-        // down to corners of 5°.
+        // In a sharp corner one push may undo another; each round leaves less of that, and these
+        // are enough down to corners of 5°.
         for _ in 0..16 {
             let mut is_done = true;
             for (i, plate) in self.plates.iter().enumerate() {

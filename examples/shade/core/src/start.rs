@@ -91,7 +91,8 @@ fn first<V: Vector, E: Effects, L: Sampling<V>, M: Meter>(
         return probe(path, point);
     }
     if path.e.on(Effect::Lens) {
-        // All rays of a pixel meet in the plane of focus; with a radius of 0 they are the pinhole's.
+        // All rays of a pixel meet in the plane of focus; with a radius of 0 they are the
+        // pinhole's.
         let [u, v] = through_lens::<V, M>(path.place, path.meter);
         let slope = camera.lens / camera.focus;
         let eye = camera.eye.along(camera.right, u * camera.lens);

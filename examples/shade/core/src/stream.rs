@@ -1,4 +1,5 @@
-//! Random words by counting: a hash of (pixel, sample, bounce, effect), so that no effect shifts another's.
+//! Random words by counting: a hash of (pixel, sample, bounce, effect), so that no effect shifts
+//! another's.
 
 use crate::{Effect, Meter};
 use core::convert::Infallible;
@@ -15,7 +16,8 @@ pub struct Place {
     pub seed: u32,
 }
 
-/// The four words of a block: PCG4D, folded once more, since its lowest bits repeat along a counter.
+/// The four words of a block: PCG4D, folded once more, since its lowest bits repeat along a
+/// counter.
 ///
 /// Source: M. Jarzynski and M. Olano, *Hash Functions for GPU Rendering*, JCGT 9(3), 2020.
 #[inline(always)]
@@ -32,8 +34,8 @@ fn block(v: [u32; 4]) -> [u32; 4] {
     fold(mix(fold(mix([x, y, z, w]))))
 }
 
-/// The words of one effect at one bounce of one sample of one pixel: a generator that draws them in order,
-/// of 64 bits the high word first.
+/// The words of one effect at one bounce of one sample of one pixel: a generator that draws them in
+/// order, of 64 bits the high word first.
 pub struct Stream<'m, M> {
     counter: [u32; 4],
     words: [u32; 4],

@@ -9,9 +9,9 @@ use coslobe::{CircleShell, CosSin, Frame, Lambert, Law, uniform};
 
 /// `[T; 3]` for space, `[T; 2]` for flatland.
 ///
-/// In flatland light travels in a plane: radiance is per radian, Lambert's law is cos θ / 2, a sphere is a
-/// circle and a rectangle a segment. A pixel is a point of that plane, and its value the mean of the
-/// radiance that arrives there from all around.
+/// In flatland light travels in a plane: radiance is per radian, Lambert's law is cos θ / 2, a
+/// sphere is a circle and a rectangle a segment. A pixel is a point of that plane, and its value
+/// the mean of the radiance that arrives there from all around.
 pub trait Vector: Copy + Send + Sync + core::fmt::Debug + 'static {
     /// The number type.
     type T: Number;
@@ -36,8 +36,8 @@ pub trait Vector: Copy + Send + Sync + core::fmt::Debug + 'static {
 
     /// Density of light reflected by a white diffuse surface, f·cos θ: cos θ/π or cos θ/2.
     fn diffuse_density(cos: Self::T) -> Self::T;
-    /// (cos θ, sin θ, density) of a direction towards a sphere seen under sin² of its half angle = `s2`:
-    /// by solid angle in space, by the sine in flatland, which needs no arcsine.
+    /// (cos θ, sin θ, density) of a direction towards a sphere seen under sin² of its half angle =
+    /// `s2`: by solid angle in space, by the sine in flatland, which needs no arcsine.
     fn cone<R: Rng>(s2: Self::T, rng: &mut R) -> (CosSin<Self::T>, Self::T);
     /// Density of [`cone`](Vector::cone) at cos θ.
     fn cone_density(s2: Self::T, cos: Self::T) -> Self::T;

@@ -130,8 +130,8 @@ fn plate<V: Vector>(centre: &Values, sides: &[Values], material: u8) -> Plate<V>
     }
 }
 
-/// The scene of a checked file, and the law of its diffuse directions (`law` before the file's own).
-/// `None` if that law is of the other world.
+/// The scene of a checked file, and the law of its diffuse directions (`law` before the file's
+/// own). `None` if that law is of the other world.
 pub fn scene<V: World>(raw: &Raw, law: Option<LawName>) -> Option<(Scene<V>, V::Law)> {
     let exponent = |k: &Option<Value>| k.as_ref().map_or(1.0, |k| *k.get_ref());
     let named = law.or(raw.law.as_ref().map(|l| *l.get_ref()));

@@ -1,5 +1,6 @@
-//! Shaders written by hand, each for one scene, as one would without effects and plans: `coslobe`'s laws, the
-//! core's shapes and random words, and no more. Tests ask them for the same bits as the core's.
+//! Shaders written by hand, each for one scene, as one would without effects and plans: `coslobe`'s
+//! laws, the core's shapes and random words, and no more. Tests ask them for the same bits as the
+//! core's.
 
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // NaN goes the same way as what fails
 

@@ -43,7 +43,8 @@ struct Row {
     own: Vec<f64>,
     /// Of the median pixel, at the last count.
     typical: f64,
-    /// Pixels that are off by more than [`FAR`] of the mean radiance there: paths that went another way.
+    /// Pixels that are off by more than [`FAR`] of the mean radiance there: paths that went another
+    /// way.
     far: usize,
 }
 
@@ -129,7 +130,8 @@ pub(crate) fn run(raw: &Raw, path: &Path, out: &Path) -> Result<(), Box<dyn Erro
     Ok(())
 }
 
-/// Times in interleaved rounds. A row takes well under a millisecond: other programs do not get into all.
+/// Times in interleaved rounds. A row takes well under a millisecond: other programs do not get
+/// into all.
 fn time(studies: &mut [Study]) {
     for _ in 0..ROUNDS {
         for study in &mut *studies {

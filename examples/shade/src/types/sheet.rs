@@ -16,8 +16,9 @@ fn gain(median: f64) -> f64 {
     }
 }
 
-/// Each difference's gain, and the sheet's bytes: the picture at the most samples, then how far it is from the
-/// converged one and from those of the other types, in the order of `studies`, whose last it is.
+/// Each difference's gain, and the sheet's bytes: the picture at the most samples, then how far it
+/// is from the converged one and from those of the other types, in the order of `studies`, whose
+/// last it is.
 pub(super) fn sheet(
     studies: &[Study],
     converged: &Means,

@@ -40,8 +40,8 @@ pub(crate) fn constant<T: Number>(x: f64) -> Sky<T> {
     }
 }
 
-/// Two plates in one plane, the one turned within it, seen where both are, under a sky of 1 and a sun: they
-/// shadow neither each other nor themselves.
+/// Two plates in one plane, the one turned within it, seen where both are, under a sky of 1 and a
+/// sun: they shadow neither each other nor themselves.
 #[test]
 fn overlapping_plates_are_lit_as_one() {
     struct Lit {

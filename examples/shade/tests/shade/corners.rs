@@ -1,5 +1,5 @@
-//! Rays into the corners and edges of closed rooms: none gets out, and what each leads to lies inside, which
-//! exact signs decide. Pictures alone would need 10⁹ samples to show as little.
+//! Rays into the corners and edges of closed rooms: none gets out, and what each leads to lies
+//! inside, which exact signs decide. Pictures alone would need 10⁹ samples to show as little.
 
 use crate::contact::{place, turned};
 use crate::leaks::{FAR, room};
@@ -62,8 +62,8 @@ fn is_inside<T: Number>(scene: &Scene<[T; 3]>, p: [T; 3]) -> bool {
     })
 }
 
-/// The direction from `p` to a corner, or to a point of an edge, some units of rounding away; else one
-/// along a wall or anywhere.
+/// The direction from `p` to a corner, or to a point of an edge, some units of rounding away; else
+/// one along a wall or anywhere.
 fn aimed<T: Number>((tilt, offset, half): Room, p: [T; 3], rng: &mut impl Rng) -> [T; 3] {
     let axes = turned(tilt);
     let word = rng.next_u64();

@@ -81,7 +81,8 @@ fn absent_effects_do_nothing() {
     check::<[f32; 2]>();
 }
 
-/// Forced on, every effect runs somewhere, and the image is the same to the bit, in every number type.
+/// Forced on, every effect runs somewhere, and the image is the same to the bit, in every number
+/// type.
 #[test]
 fn forcing_all_changes_no_bit() {
     fn check<V: World>() -> Counters
@@ -119,7 +120,8 @@ fn forcing_all_changes_no_bit() {
     every_number(&mut Same);
 }
 
-/// Effects as part of the type, asked as it goes, all of them, and shaders written by hand: the same bits.
+/// Effects as part of the type, asked as it goes, all of them, and shaders written by hand: the
+/// same bits.
 #[test]
 fn all_ways_agree() {
     let cells = cells();
@@ -140,7 +142,8 @@ fn all_ways_agree() {
     }
 }
 
-/// Words and rays are those that the effects' costs say: entries times cost, where each entry draws all.
+/// Words and rays are those that the effects' costs say: entries times cost, where each entry draws
+/// all.
 #[test]
 fn costs_are_as_stated() {
     fn check<V: World>() {

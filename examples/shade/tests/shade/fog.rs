@@ -4,8 +4,8 @@ use crate::stage::{agrees, camera, diffuse, grey, is_exactly, level, material, s
 use shade_core::effect::{Sky, Sun};
 use shade_core::{AnyPlanar, AnySpatial, Material, Number, Pixel, Scene, Vector};
 
-/// A shining plate of radiance 2 seen down through a ball of fog of radius 1.5, aside of its centre by 0.9:
-/// a chord of 2.4.
+/// A shining plate of radiance 2 seen down through a ball of fog of radius 1.5, aside of its centre
+/// by 0.9: a chord of 2.4.
 fn behind_fog<T: Number>(absorption: f64, scattering: f64, bounces: u16) -> Pixel<T> {
     let mut scene = Scene::<[T; 3]>::new(camera(&[0.9, 5.0, 0.0], &[0.0, -1.0, 0.0]));
     let shining = Material::new(grey(0.0), grey(0.0), AnySpatial::Lambert, grey(2.0));
@@ -61,8 +61,8 @@ fn what_is_not_scattered() {
     );
 }
 
-/// The sun from above on a plate in a ball of fog of radius R around it: the light and its reflection go
-/// R each, and at most one scattering is followed.
+/// The sun from above on a plate in a ball of fog of radius R around it: the light and its
+/// reflection go R each, and at most one scattering is followed.
 #[test]
 fn sun_through_fog() {
     let seen = |factor: f64| {
@@ -85,8 +85,9 @@ fn sun_through_fog() {
     assert!(is_exactly(&seen(2.0), want).is_err());
 }
 
-/// One scattering of the sun's light along the view through a thin ball of fog, in closed form where view
-/// and sun are the same axis: ∫ σ e^(−σ(t + t)) E/4π dt = E (1 − e^(−2σl))/8π, l the chord.
+/// One scattering of the sun's light along the view through a thin ball of fog, in closed form
+/// where view and sun are the same axis: ∫ σ e^(−σ(t + t)) E/4π dt = E (1 − e^(−2σl))/8π, l the
+/// chord.
 #[test]
 fn single_scattering_of_the_sun() {
     let seen = |sigma: f64| {

@@ -13,7 +13,8 @@ const STRATEGIES: [Combine; 4] = [
     Combine::Scatter,
 ];
 
-/// The origin of a level plate of albedo 0.8, seen from beside a lamp of radius `r` and radiance 3 at `centre`.
+/// The origin of a level plate of albedo 0.8, seen from beside a lamp of radius `r` and radiance 3
+/// at `centre`.
 fn plate<V: Vector>(own: V::Law, centre: &[f64], r: f64, combine: Combine) -> Scene<V> {
     let s = 0.5f64.sqrt();
     let mut scene = Scene::new(camera(&[-0.1, 0.1, 0.0], &[s, -s, 0.0]));
@@ -75,9 +76,9 @@ fn planted_measure_and_density_are_caught() {
     );
 }
 
-/// In flatland the irradiance is 2 L (R/d) cos θ, and what is reflected a L (R/d) cos θ. A probe above the
-/// plate's middle sees that, the lamp itself and the sky, so a narrow view is taken: a pixel cannot.
-/// What a probe sees of a lamp alone is L α/π.
+/// In flatland the irradiance is 2 L (R/d) cos θ, and what is reflected a L (R/d) cos θ. A probe
+/// above the plate's middle sees that, the lamp itself and the sky, so a narrow view is taken: a
+/// pixel cannot. What a probe sees of a lamp alone is L α/π.
 #[test]
 fn circle_seen_by_a_probe() {
     for combine in STRATEGIES {

@@ -6,7 +6,8 @@ use shade_core::{
     AnyPlanar, AnySpatial, Number, NumberVisitor, Plate, Scene, Vector, every_number,
 };
 
-/// Samples of a room under a sky of 1 that saw some of it; of 64 bits, which have the digits, fewer are tried.
+/// Samples of a room under a sky of 1 that saw some of it; of 64 bits, which have the digits, fewer
+/// are tried.
 fn leaks<V: Vector>(mut scene: Scene<V>, own: V::Law, samples: u32) -> usize {
     let samples = if size_of::<V::T>() == 4 {
         samples

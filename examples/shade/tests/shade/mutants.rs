@@ -41,8 +41,8 @@ impl Sampling<Space> for Spoiled {
     }
 }
 
-/// Space in which lamps are sampled by the wrong measure: that of a disk of the lamp's radius at its
-/// centre, π(R/d)², in place of the cone's solid angle.
+/// Space in which lamps are sampled by the wrong measure: that of a disk of the lamp's radius at
+/// its centre, π(R/d)², in place of the cone's solid angle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Askew(pub(crate) Space);
 

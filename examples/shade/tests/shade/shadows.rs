@@ -5,7 +5,8 @@ use crate::stage::{agrees, camera, diffuse, grey, is_exactly, lamp, level, mater
 use shade_core::effect::{Combine, Sun};
 use shade_core::{AnySpatial, Sampling, Scene, Vector};
 
-/// The origin of a white plate under a lamp straight above, a plate between them from `low` to `high`.
+/// The origin of a white plate under a lamp straight above, a plate between them from `low` to
+/// `high`.
 fn under<V: Vector<T = f64>>(
     own: V::Law,
     law: &impl Sampling<V>,
@@ -62,9 +63,10 @@ fn umbra_half_and_quarter() {
     assert!(under::<Askew>(Plain, &Plain, Combine::Light, [0.5, -0.9], [0.9, 0.9]).is_err());
 }
 
-/// The penumbra in closed form: with a disc of angle α cut by a plane through the point that is tilted by β,
-/// the foot (Nusselt) of what is seen is a part of the disc sin α bounded by half an ellipse. Where the lamp
-/// is far and small, that is a straight cut of a disc at x = s sin α: (arccos s − s √(1 − s²))/π is dark.
+/// The penumbra in closed form: with a disc of angle α cut by a plane through the point that is
+/// tilted by β, the foot (Nusselt) of what is seen is a part of the disc sin α bounded by half an
+/// ellipse. Where the lamp is far and small, that is a straight cut of a disc at x = s sin α:
+/// (arccos s − s √(1 − s²))/π is dark.
 #[test]
 fn penumbra_of_an_edge() {
     let seen = |edge: f64| {

@@ -31,8 +31,8 @@ fn has_variance(law: &AnySpatial<f64>, want: f64) -> Result<(), String> {
     let pixel = under_sky(law, 1 << 18, 0);
     agrees(&pixel, 1.0)?;
     let have = pixel.variance()[0];
-    // At k = 2 the squared weights have no variance: of n samples the least cosine is about n^−⅓, beyond which
-    // 4/3 n^−⅓ of the variance, 6 % here, is hardly ever found.
+    // At k = 2 the squared weights have no variance: of n samples the least cosine is about n^−⅓,
+    // beyond which 4/3 n^−⅓ of the variance, 6 % here, is hardly ever found.
     if (have - want).abs() <= 0.1 * want {
         Ok(())
     } else {
@@ -54,8 +54,9 @@ fn variances_in_space() {
     assert!(has_variance(&power(0.5), predicted(0.0)).is_err());
 }
 
-/// In the plane w = (cos θ/2)/p: ⟨w²⟩ = π²/8 for `CircleArc` as for `Disk`. A floor line under a sky cannot
-/// be seen alone by a probe, so a hollow circle that shines is: what it reflects, first bounce.
+/// In the plane w = (cos θ/2)/p: ⟨w²⟩ = π²/8 for `CircleArc` as for `Disk`. A floor line under a
+/// sky cannot be seen alone by a probe, so a hollow circle that shines is: what it reflects, first
+/// bounce.
 #[test]
 fn variances_in_flatland() {
     let seen = |law: &dyn Fn(&Scene<[f64; 2]>) -> Pixel<f64>| {
@@ -95,9 +96,9 @@ fn median(mut x: Vec<f64>) -> f64 {
     x[x.len() / 2]
 }
 
-/// `Ball` for a diffuse surface: w = 1/(2 cos²θ) and p = 4 cos³θ in cos θ, so ⟨w²⟩ = ∫ dc/c has no end. Of n samples the
-/// least cosine is about n^−¼, up to which the integral is ¼ ln n: sixteen times as many samples add ln 2 to the
-/// variance that is found, for ever.
+/// `Ball` for a diffuse surface: w = 1/(2 cos²θ) and p = 4 cos³θ in cos θ, so ⟨w²⟩ = ∫ dc/c has no
+/// end. Of n samples the least cosine is about n^−¼, up to which the integral is ¼ ln n: sixteen
+/// times as many samples add ln 2 to the variance that is found, for ever.
 #[test]
 fn the_variance_of_ball_grows_for_ever() {
     let found = |n: u32| {
@@ -144,7 +145,8 @@ fn at_the_horizon(law: &AnySpatial<f64>, combine: Combine, n: u32, seed: u32) ->
 
 #[test]
 fn combining_tames_ball() {
-    // Half the disc sin α = ½ upright: its foot on the plate is a thin crescent; all agree on what it is.
+    // Half the disc sin α = ½ upright: its foot on the plate is a thin crescent; all agree on what
+    // it is.
     let want = at_the_horizon(&AnySpatial::Lambert, Combine::Balance, 1 << 18, 1).mean()[0];
     for combine in [Combine::Balance, Combine::Power, Combine::Light] {
         let pixel = at_the_horizon(&AnySpatial::Ball, combine, 1 << 14, 2);

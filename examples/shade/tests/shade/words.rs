@@ -81,7 +81,8 @@ fn streams_differ() {
     }
 }
 
-/// What every type draws from a stream of aligned words, and its density: of each law of space, then of flatland.
+/// What every type draws from a stream of aligned words, and its density: of each law of space,
+/// then of flatland.
 fn drawn<T: Number>(sample: u32) -> Vec<f64> {
     fn one<V: Vector, L: Sampling<V>>(law: &L, sample: u32) -> Vec<f64> {
         let axis = V::from_fn(|i| V::T::from_f64([0.48, 0.6, 0.64][i])).unit();

@@ -1,4 +1,5 @@
-//! The operations of a law in either format, an operation a line: their names are the same, but no trait is public.
+//! The operations of a law in either format, an operation a line: their names are the same, but no
+//! trait is public.
 
 use crate::input::Words;
 use coslobe::integers::{Fixed16Law, FixedLaw, cos_sin};

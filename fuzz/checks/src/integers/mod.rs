@@ -1,10 +1,13 @@
-//! The laws in integers: the input chooses an operation, a format and a law, and one promise of theirs is checked.
+//! The laws in integers: the input chooses an operation, a format and a law, and one promise of
+//! theirs is checked.
 //!
-//! - no word, pair, normal or exponent overflows, panics or leaves its range, with debug assertions on;
-//! - at a probability, an angle, a direction: within a few units of closed forms in `f64` (the tests of `errors` hold
-//!   each law to its own bound), and of each other where two operations say the same;
-//! - a sample is a unit vector above the horizon with a positive density, from the documented number of words, and has
-//!   the same bits by every way to draw it;
+//! - no word, pair, normal or exponent overflows, panics or leaves its range, with debug assertions
+//!   on;
+//! - at a probability, an angle, a direction: within a few units of closed forms in `f64` (the
+//!   tests of `errors` hold each law to its own bound), and of each other where two operations say
+//!   the same;
+//! - a sample is a unit vector above the horizon with a positive density, from the documented
+//!   number of words, and has the same bits by every way to draw it;
 //! - a weight and a point's distance lie within a few units of closed forms;
 //! - a frame takes unit vectors alone, keeps lengths and has a way back.
 
@@ -72,7 +75,8 @@ impl IntegerVisitor for Chosen<'_> {
     }
 }
 
-/// What laws in space have beside what all have. Whoever adds an operation adds it here or in `line`.
+/// What laws in space have beside what all have. Whoever adds an operation adds it here or in
+/// `line`.
 fn space<L: space::Law>(law: L, id: Id, mut input: Input) {
     match input.operation(12) {
         0 | 1 => space::directions(law, id, &mut input),

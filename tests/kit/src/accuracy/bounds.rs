@@ -44,7 +44,8 @@ fn section(tier: &str) -> Vec<Vec<String>> {
         .collect()
 }
 
-/// The error in the unit of its section: ulps, or 2⁻¹² of the true value for the types that promise no ulps.
+/// The error in the unit of its section: ulps, or 2⁻¹² of the true value for the types that promise
+/// no ulps.
 pub fn in_unit(tier: &str, stat: &Stat) -> f64 {
     if promises_ulps(tier) {
         stat.ulps

@@ -90,7 +90,8 @@ pub fn error_in_ulps<T: Format>(got: T, want: T::Wide) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// The number of the format nearest to x·2⁻ⁿ, ties to even; 2ⁿ lifts subnormal values off the floor.
+/// The number of the format nearest to x·2⁻ⁿ, ties to even; 2ⁿ lifts subnormal values off the
+/// floor.
 pub fn nearest<T: Format>(x: Double, n: i32) -> T {
     let unit = ulp::<T>(x.hi * 2f64.powi(-n)) * 2f64.powi(n);
     let last = x.hi / unit;

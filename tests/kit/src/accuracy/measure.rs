@@ -15,7 +15,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 use std::ops::Range;
 
 /// What is put in: an angle in [0, π/2] and its pair, or a probability in [0, ½] from either end,
-/// which is the whole domain since 1 − u is exact for u ≥ ½, or a pair by its cosine or sine in [0, 1].
+/// which is the whole domain since 1 − u is exact for u ≥ ½, or a pair by its cosine or sine in [0,
+/// 1].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Input {
     #[default]
@@ -178,7 +179,8 @@ fn over<F: Format>(
         .reduce(|| Tally::new(subjects.len()), Tally::merge)
 }
 
-/// Every `stride`-th bit pattern up to the top, aligned to it so that the edge itself is tried, and 0.
+/// Every `stride`-th bit pattern up to the top, aligned to it so that the edge itself is tried, and
+/// 0.
 pub fn sweep<F: Format>(
     subjects: &[Subject<F>],
     input: Input,

@@ -46,8 +46,8 @@ pub fn sampled<T: Format>(s: &Subject<T>, n: u64, part: Part) -> (u64, u64) {
     )
 }
 
-/// The largest step back of `cdf` or of `sf` between neighbouring angles, in ulps, and the angle below
-/// it: some n stratified angles.
+/// The largest step back of `cdf` or of `sf` between neighbouring angles, in ulps, and the angle
+/// below it: some n stratified angles.
 pub fn tails_step_back<T: Format>(s: &Subject<T>, n: u64) -> (f64, u64) {
     let n = n - n % 3;
     let slots = [Op::Cdf, Op::Sf].map(|op| AT_ANGLE.iter().position(|&o| o == op));

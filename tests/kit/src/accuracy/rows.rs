@@ -181,8 +181,8 @@ pub fn sampled<F: Tiers>(
 }
 
 /// All number types: f32 swept at `stride` (1 is exhaustive), f64 at `samples` stratified inputs of
-/// each kind, `CosPower` at a tenth of them for each exponent. `progress` is told of inputs done, in
-/// all [`total_inputs`], a part its share.
+/// each kind, `CosPower` at a tenth of them for each exponent. `progress` is told of inputs done,
+/// in all [`total_inputs`], a part its share.
 pub fn measure_all(
     stride: u64,
     samples: u64,

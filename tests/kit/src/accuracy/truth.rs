@@ -1,4 +1,5 @@
-//! True values of a quantity over a block of inputs, each with the number of the format nearest to it.
+//! True values of a quantity over a block of inputs, each with the number of the format nearest to
+//! it.
 //!
 //! The nearest number is certain. A reference value w of relative error EPS (`Wide::EPS`, which the
 //! tests show to hold) is taken at both ends of w ± 4·EPS·|w|; where they round differently, the

@@ -92,7 +92,8 @@ fn at_pair<W: Wide>(f: &Formula<W>, paired: &Direction<W>, pair_cos: f64) -> [W;
     ]
 }
 
-/// cos, sin and θ at the lower tail p of a spatial law, then at the upper; of a planar law the upper.
+/// cos, sin and θ at the lower tail p of a spatial law, then at the upper; of a planar law the
+/// upper.
 fn at_tail<W: Wide>(law: Id, p: f64, angles: bool) -> [W; 6] {
     let side = |upper: bool| {
         let at = warp::<W>(law, p, upper);
@@ -123,8 +124,9 @@ pub fn values<F: Format, W: Wide>(law: Id, input: Input, x: F) -> Vec<W> {
 }
 
 /// What looks like a tie at a tiny angle, sine or cosine is one only if nothing follows its leading
-/// power, and what follows may be too small for any format. It has the same sign 2ˢ times as far from
-/// the end, where it is seen: whether the true value lies above `tie` (`true`), below, or on it (`None`).
+/// power, and what follows may be too small for any format. It has the same sign 2ˢ times as far
+/// from the end, where it is seen: whether the true value lies above `tie` (`true`), below, or on
+/// it (`None`).
 fn beyond_tie<F: Format>(law: Id, a: &Angle<F>, k: usize, tie: f64) -> Option<bool> {
     let CosSin { cos, sin } = a.pair;
     let at_horizon = a.at.is_none() && cos < sin;

@@ -1,8 +1,8 @@
 //! Wider arithmetic for the references: `f64` to judge `f32`, double-double to judge `f64` and the
 //! doubtful cases of `f32`, double-double with an exponent of its own where those of `f64` run out.
 //!
-//! Everything that a law needs is built from the standard library, series and Newton steps, not from
-//! the crate's kernels; `tests/errors/arb.rs` checks it against the committed Arb tables, and
+//! Everything that a law needs is built from the standard library, series and Newton steps, not
+//! from the crate's kernels; `tests/errors/arb.rs` checks it against the committed Arb tables, and
 //! `tests/errors/references.rs` the narrower of it against the wider.
 
 use super::double::Double;

@@ -9,8 +9,9 @@ use crate::stats::claim::{Claim, Direction};
 use coslobe::rand_core::Rng;
 use coslobe::{Fixed, Fixed16, Moments};
 
-/// What `fixed::Integers`' documentation says of a law's errors in one format: the table after the words `Those of`
-/// its name, largest errors in units of the last place by operation. What follows a number in a cell is its input.
+/// What `fixed::Integers`' documentation says of a law's errors in one format: the table after the
+/// words `Those of` its name, largest errors in units of the last place by operation. What follows
+/// a number in a cell is its input.
 pub fn documented(format: &str) -> Vec<(String, Vec<f64>)> {
     const PAGE: &str = include_str!("../../../../src/integers/mod.rs");
     let rows = PAGE
@@ -44,7 +45,8 @@ pub trait Format {
     const LENGTH: f64;
     /// A sample.
     fn sample<L: IntegerLaw>(law: L, rng: &mut dyn Rng) -> Direction;
-    /// What a law of a power k claims, whose distances below 1/256 are judged relative to it: cosines are a unit apart.
+    /// What a law of a power k claims, whose distances below 1/256 are judged relative to it:
+    /// cosines are a unit apart.
     fn claim(name: &str, planar: bool, k: f64, moments: Moments<f64>) -> Claim {
         Claim {
             name: format!("{}({name})", Self::NAME),

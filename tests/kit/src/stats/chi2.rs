@@ -2,7 +2,8 @@
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-/// Cells below this expected count are pooled: the χ² distribution is an approximation for large counts.
+/// Cells below this expected count are pooled: the χ² distribution is an approximation for large
+/// counts.
 const LEAST: f64 = 5.0;
 
 /// p-value of (observed, expected) cells. A count in a cell that expects none gives 0.

@@ -48,7 +48,8 @@ impl Claim {
         }
     }
 
-    /// Relative error of the nearer tail, and of −k ln cos θ + 1, for that of the smaller component.
+    /// Relative error of the nearer tail, and of −k ln cos θ + 1, for that of the smaller
+    /// component.
     pub fn slack(&self, cos: f64, sin: f64) -> f64 {
         let tangent = sin / cos;
         self.error * (2.0f64).max((self.k + 1.0) * (tangent * tangent).min(1.0))

@@ -156,8 +156,8 @@ fn tail_cells(octaves: &[[u64; OCTAVES]; 2]) -> f64 {
 
 /// Equal cosines in the tail: a sampler on a grid repeats itself long before its gaps show.
 ///
-/// Two samples fall on one of the type's cosines, ε apart, with probability ∫ f(c)² c ε dc ≤ (k+1) ε/2;
-/// the uniform's own rounding adds ε/2 at most.
+/// Two samples fall on one of the type's cosines, ε apart, with probability ∫ f(c)² c ε dc ≤ (k+1)
+/// ε/2; the uniform's own rounding adds ε/2 at most.
 fn ties(claim: &Claim, mut deep: Vec<(u64, bool)>) -> f64 {
     deep.sort_unstable();
     let ties = deep.windows(2).filter(|pair| pair[0] == pair[1]).count() as u64;

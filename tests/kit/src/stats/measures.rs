@@ -1,4 +1,5 @@
-//! Raw points by each measure of the paper and of the circle and sphere, without the crate's samplers.
+//! Raw points by each measure of the paper and of the circle and sphere, without the crate's
+//! samplers.
 
 use coslobe::Measure;
 use coslobe::rand_core::Rng;

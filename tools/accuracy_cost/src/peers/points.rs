@@ -1,8 +1,8 @@
 //! A point of `rand_distr` plus the normal, normalised: the direction of a uniform point of the
 //! disk, circle, ball or sphere that touches the origin.
 //!
-//! UnitSphere gives Lambert's law, UnitBall `Ball`, UnitDisc `Disk`, UnitCircle `CircleArc`. The shells
-//! have no such point: their measure is not uniform.
+//! UnitSphere gives Lambert's law, UnitBall `Ball`, UnitDisc `Disk`, UnitCircle `CircleArc`. The
+//! shells have no such point: their measure is not uniform.
 
 use super::maths::{Maths, Std};
 use super::{About, push};

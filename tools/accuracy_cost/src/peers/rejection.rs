@@ -1,4 +1,5 @@
-//! The shell's law by rejection: a uniform direction of the hemisphere, kept with probability cos²θ.
+//! The shell's law by rejection: a uniform direction of the hemisphere, kept with probability
+//! cos²θ.
 //!
 //! What is left when no inverse is at hand; cos³ has the uniform ball instead.
 

@@ -1,5 +1,5 @@
-//! `Disk` by a generic root-finder: θ + sin θ cos θ = π(u − ½), Newton's method held in a bracket by
-//! bisection.
+//! `Disk` by a generic root-finder: θ + sin θ cos θ = π(u − ½), Newton's method held in a bracket
+//! by bisection.
 
 use super::maths::{Libm, Maths, Std};
 use super::{About, flat, push};

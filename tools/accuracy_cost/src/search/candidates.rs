@@ -1,5 +1,5 @@
-//! Where errors hide: beside powers of 2, 8 and 16, beside what kernels branch at, in the far decades,
-//! and, for a power of the cosine, where the power is neither 0 nor 1.
+//! Where errors hide: beside powers of 2, 8 and 16, beside what kernels branch at, in the far
+//! decades, and, for a power of the cosine, where the power is neither 0 nor 1.
 
 use kit::Format;
 use kit::accuracy::measure::Input;
@@ -10,8 +10,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 /// Inputs that are judged together.
 pub(super) const BLOCK: usize = 128;
 
-/// Beside these the kernels change their formula: where sine and cosine change places, where a root's
-/// guess or an octant changes, where a series begins.
+/// Beside these the kernels change their formula: where sine and cosine change places, where a
+/// root's guess or an octant changes, where a series begins.
 const THRESHOLDS: [f64; 10] = [
     FRAC_PI_4,
     FRAC_1_SQRT_2,
@@ -95,7 +95,8 @@ pub(super) fn block<F: Format>(rng: &mut Pcg64, input: Input) -> Vec<F> {
         .collect()
 }
 
-/// Bits of an exponent of `CosPower`: drawn by its logarithm, evenly, or beside a number that is special.
+/// Bits of an exponent of `CosPower`: drawn by its logarithm, evenly, or beside a number that is
+/// special.
 pub(super) fn exponent<F: Format>(rng: &mut Pcg64) -> u64 {
     let top = F::of(F::MAX_VALUE).bits();
     let x = match below(rng, 5) {

@@ -1,4 +1,5 @@
-//! The search for one law in one number type: blocks of candidates, and hill climbing from the worst.
+//! The search for one law in one number type: blocks of candidates, and hill climbing from the
+//! worst.
 
 use super::candidates::{BLOCK, below, block, block_of_power, exponent, moved, step};
 use kit::accuracy::bounds::in_unit;

@@ -1,5 +1,5 @@
-//! A short run: cells that are measured twice are equal, and equal to the committed ones with the same compiler;
-//! the linker keeps as many bytes as were counted.
+//! A short run: cells that are measured twice are equal, and equal to the committed ones with the
+//! same compiler; the linker keeps as many bytes as were counted.
 
 use super::images::{SUBJECTS, Subject, compiler};
 use super::row::{Row, read};

@@ -44,8 +44,8 @@ struct Scale {
 impl Scale {
     /// Instructions of one of the repeated calls: a whole number, or no figure.
     fn instructions(self, ticks: u64) -> Result<u64, String> {
-        // Ticks are counted from the edge of one: what follows the last is half a tick in the mean. Where a
-        // tick is an instruction nothing follows it.
+        // Ticks are counted from the edge of one: what follows the last is half a tick in the mean.
+        // Where a tick is an instruction nothing follows it.
         let follows = if self.instructions_in_tick > 1.0 {
             0.5
         } else {

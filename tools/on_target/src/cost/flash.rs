@@ -1,5 +1,5 @@
-//! What an operation links: the sections that can be reached from its function, as a linker collects them with
-//! `--gc-sections`.
+//! What an operation links: the sections that can be reached from its function, as a linker
+//! collects them with `--gc-sections`.
 
 use object::{
     Architecture, Object, ObjectSection, ObjectSymbol, RelocationTarget, SectionKind, SymbolKind,

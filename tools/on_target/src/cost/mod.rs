@@ -1,5 +1,5 @@
-//! What every operation costs on every board: instructions, flash, stack, static RAM and random words, beside the
-//! errors of the accuracy study and the same thing written by others.
+//! What every operation costs on every board: instructions, flash, stack, static RAM and random
+//! words, beside the errors of the accuracy study and the same thing written by others.
 
 mod builds;
 mod check;

@@ -1,4 +1,5 @@
-//! The committed hashes, one a line: law, number type, stream, count, hash of the first so many results.
+//! The committed hashes, one a line: law, number type, stream, count, hash of the first so many
+//! results.
 
 use crate::build::workspace;
 use crate::failure::{Failure, Result, While};

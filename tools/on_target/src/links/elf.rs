@@ -29,7 +29,8 @@ impl Image {
         names.map(str::to_owned).collect()
     }
 
-    /// Bytes of RAM that are its own from start to end: .data, .bss and whatever else can be written.
+    /// Bytes of RAM that are its own from start to end: .data, .bss and whatever else can be
+    /// written.
     pub(super) fn static_ram(&self) -> u64 {
         let file = self.file();
         let ram = file

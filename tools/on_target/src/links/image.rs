@@ -6,8 +6,8 @@ use crate::build::Build;
 use crate::failure::Result;
 use std::path::PathBuf;
 
-/// An image of `calls` (see `examples/firmware/links/build.rs`), and its path until the next is built.
-/// Where a panic or an allocation is reachable, the linker's message is the error.
+/// An image of `calls` (see `examples/firmware/links/build.rs`), and its path until the next is
+/// built. Where a panic or an allocation is reachable, the linker's message is the error.
 pub(super) fn build(board: &Board, calls: &str, planted: Option<&str>) -> Result<(PathBuf, Image)> {
     build_as(board, calls, planted, Vec::new())
 }

@@ -1,4 +1,5 @@
-//! Proofs of release images, by what is linked into them; each beside a planted violation that it catches.
+//! Proofs of release images, by what is linked into them; each beside a planted violation that it
+//! catches.
 
 mod elf;
 mod image;

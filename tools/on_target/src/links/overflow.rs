@@ -1,5 +1,5 @@
-//! Images of every operation with overflow checks on, at the levels that small flash calls for: no panic there
-//! either, whatever the optimiser leaves of the checks.
+//! Images of every operation with overflow checks on, at the levels that small flash calls for: no
+//! panic there either, whatever the optimiser leaves of the checks.
 
 use super::image::build_as;
 use super::whole::{CALLS, LITTLE, complete};

@@ -11,8 +11,9 @@ use shade_core::Effect::{
 use shade_core::{Effect, Set};
 use std::collections::BTreeMap;
 
-/// Where the code of effects is in the shader's core, and the effects any of which has it. Of the others the
-/// camera is never absent, emitters are one term of a sum, and several bounces are a loop.
+/// Where the code of effects is in the shader's core, and the effects any of which has it. Of the
+/// others the camera is never absent, emitters are one term of a sum, and several bounces are a
+/// loop.
 const CODE: [(&str, &[Effect]); 10] = [
     ("effect/filter.rs::", &[Filter]),
     ("effect/lens.rs::", &[Lens]),
@@ -36,8 +37,8 @@ pub(crate) fn nothing(board: &Board) -> Result<u64> {
 /// Bytes of flash of an image that shades pixels of the scene of type `scene`.
 ///
 /// # Errors
-/// If it holds a panic, an allocation, static RAM, soft doubles, or code of an effect not in `claimed`; or
-/// none of one that is.
+/// If it holds a panic, an allocation, static RAM, soft doubles, or code of an effect not in
+/// `claimed`; or none of one that is.
 pub(crate) fn shader(board: &Board, scene: &str, claimed: Set) -> Result<u64> {
     let (path, image) = build(board, &format!("shaded::<{scene}>(x, rng)"), None)?;
     whole::complete(&image)?;

@@ -7,8 +7,8 @@ use addr2line::Loader;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Bytes of code by the library's file, its path below `src/`. A byte counts for the file of every function
-/// that is inlined there, one around the other.
+/// Bytes of code by the library's file, its path below `src/`. A byte counts for the file of every
+/// function that is inlined there, one around the other.
 pub(super) fn bytes_by_file(path: &Path, image: &Image) -> Result<BTreeMap<String, u64>> {
     let root = root().join("src/");
     let root = root.to_string_lossy();
@@ -17,7 +17,8 @@ pub(super) fn bytes_by_file(path: &Path, image: &Image) -> Result<BTreeMap<Strin
     })
 }
 
-/// Bytes of code by the functions of the files below `folder`, a folder of this repository; `file::function`.
+/// Bytes of code by the functions of the files below `folder`, a folder of this repository;
+/// `file::function`.
 pub(super) fn bytes_by_function(
     path: &Path,
     image: &Image,
@@ -64,8 +65,8 @@ fn bytes_by(
     Ok(names)
 }
 
-/// The function itself: `scattered` of `_ZN…9scattered17h0123456789abcdefE` and of `scattered<[f32; 3], ()>`,
-/// as functions that are inlined everywhere are called.
+/// The function itself: `scattered` of `_ZN…9scattered17h0123456789abcdefE` and of `scattered<[f32;
+/// 3], ()>`, as functions that are inlined everywhere are called.
 fn last_part(name: &str) -> &str {
     let Some(mangled) = name.strip_prefix("_ZN") else {
         return name.split('<').next().unwrap_or(name);

@@ -35,7 +35,8 @@ fn is_soft(name: &str, letter: char, mode: &str) -> bool {
         return false;
     };
     match name.strip_prefix("aeabi_") {
-        // What it works on comes first, but for the comparisons that set flags; or last, in conversions.
+        // What it works on comes first, but for the comparisons that set flags; or last, in
+        // conversions.
         Some(name) => {
             name.starts_with(letter)
                 || name.starts_with(&format!("c{letter}cmp"))

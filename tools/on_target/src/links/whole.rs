@@ -1,5 +1,5 @@
-//! Images of every operation: no panic, no allocation, no static RAM, no soft double; no float at all
-//! in fixed point.
+//! Images of every operation: no panic, no allocation, no static RAM, no soft double; no float at
+//! all in fixed point.
 
 use super::elf::Image;
 use super::image::build;

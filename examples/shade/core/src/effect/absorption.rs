@@ -6,8 +6,9 @@ use crate::{Effect, Effects, Number, Ray, Rgb, Sphere, Vector};
 
 /// Homogeneous fog within a sphere: outside it the air is clear, so that sun and sky reach in.
 ///
-/// Light fades by e^(−(absorption + scattering)·length). What is scattered goes equally to all sides; it
-/// counts as a bounce, so single scattering is `bounces = 1`, and more bounces are multiple scattering.
+/// Light fades by e^(−(absorption + scattering)·length). What is scattered goes equally to all
+/// sides; it counts as a bounce, so single scattering is `bounces = 1`, and more bounces are
+/// multiple scattering.
 #[derive(Clone, Copy, Debug)]
 pub struct Fog<V: Vector> {
     /// Where it is.

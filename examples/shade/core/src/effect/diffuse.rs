@@ -24,8 +24,8 @@ impl<V: Vector> Diffuse<V> {
         })
     }
 
-    /// A direction by `law`. Under the law of diffuse reflection itself the weight is the albedo, and under
-    /// a constant sky there is no variance.
+    /// A direction by `law`. Under the law of diffuse reflection itself the weight is the albedo,
+    /// and under a constant sky there is no variance.
     #[inline(always)]
     pub(crate) fn onward<L: Sampling<V>, M: Meter>(
         &self,

@@ -4,8 +4,8 @@ use crate::scalar::{half, int};
 use crate::{Camera, Effect, Meter, Number, Place, Stream, Vector};
 use coslobe::rand_core::Rng;
 
-/// A point of the pixel (x, y) relative to its centre, in pixels. One word: 16 bits a coordinate are
-/// 65 536 places, and no place is met twice as often as another.
+/// A point of the pixel (x, y) relative to its centre, in pixels. One word: 16 bits a coordinate
+/// are 65 536 places, and no place is met twice as often as another.
 #[inline(always)]
 pub fn through_pixel<V: Vector, M: Meter>(
     camera: &Camera<V>,

@@ -7,13 +7,14 @@ use crate::{Effect, Material, Meter, Place, Rgb, Sampling, Stream, Vector};
 
 /// The modified Phong reflector, which is reciprocal and loses no energy at normal incidence.
 ///
-/// With p the lobe's density (∝ cosᵏα, α from the mirror direction) and ⟨cos⟩ its mean cosine, (k+1)/(k+2):
+/// With p the lobe's density (∝ cosᵏα, α from the mirror direction) and ⟨cos⟩ its mean cosine,
+/// (k+1)/(k+2):
 ///
 /// > f = R · p(α) / ⟨cos⟩, in space R (k+2)/(2π) cosᵏα
 ///
-/// A sample of the lobe weighs R cos θ / ⟨cos⟩, and nothing below the surface. The albedo is R at normal
-/// incidence and less towards grazing, where part of the lobe is below the surface; never more.
-/// Source: E. Lafortune and Y. Willems, *Using the modified Phong reflectance model*, 1994.
+/// A sample of the lobe weighs R cos θ / ⟨cos⟩, and nothing below the surface. The albedo is R at
+/// normal incidence and less towards grazing, where part of the lobe is below the surface; never
+/// more. Source: E. Lafortune and Y. Willems, *Using the modified Phong reflectance model*, 1994.
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss<'s, V: Vector> {
     /// The unit normal on the side that is seen.

@@ -35,7 +35,8 @@ pub enum Lobe<'s, V: Vector> {
 }
 
 impl<V: Vector> Lobe<'_, V> {
-    /// (f·cos θ, density with which the lobe itself would draw `d`); nothing is scattered there if `None`.
+    /// (f·cos θ, density with which the lobe itself would draw `d`); nothing is scattered there if
+    /// `None`.
     #[inline(always)]
     pub(crate) fn towards<L: Sampling<V>>(&self, law: &L, d: V) -> Option<(Rgb<V::T>, V::T)> {
         match self {

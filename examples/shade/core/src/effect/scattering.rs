@@ -5,8 +5,8 @@ use crate::scalar::one;
 use crate::{Effect, Meter, Number, Place, Stream, Vector};
 use coslobe::uniform;
 
-/// The length of fog up to the point where the ray is scattered, if that is less than `length`: the optical
-/// depth −ln u is exponential.
+/// The length of fog up to the point where the ray is scattered, if that is less than `length`: the
+/// optical depth −ln u is exponential.
 #[inline(always)]
 pub fn scattered_at<V: Vector, M: Meter>(
     fog: &Fog<V>,

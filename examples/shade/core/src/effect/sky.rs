@@ -2,7 +2,8 @@
 
 use crate::{Number, Rgb, Vector};
 
-/// Radiance in proportion to height: from straight below to straight above. Constant if both are equal.
+/// Radiance in proportion to height: from straight below to straight above. Constant if both are
+/// equal.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sky<T> {
     /// Radiance from straight below.

@@ -58,13 +58,14 @@ pub struct Ray<V> {
     pub direction: V,
 }
 
-/// Bounds the rounding errors of a point `p` that a ray from `origin` led to, and of whether it lies
-/// before or behind a shape at `centre`, in the direction `n` from the shape.
+/// Bounds the rounding errors of a point `p` that a ray from `origin` led to, and of whether it
+/// lies before or behind a shape at `centre`, in the direction `n` from the shape.
 ///
-/// To first order in the unit roundoff u: the distance at which the shape is met errs by 4u |n|·(|centre| +
-/// |origin|) and 4u |n|·|p − origin|, the point then by 2u |n|·(|p| + |origin|), its height over the shape when
-/// asked for again by 4u |n|·(|centre| + |p|), and what the scene's own rounding moves two shapes apart that
-/// should touch by 2u |n|·(|centre| + |p|). All together stay below 16u |n|·(|centre| + |origin| + |p|).
+/// To first order in the unit roundoff u: the distance at which the shape is met errs by 4u
+/// |n|·(|centre| + |origin|) and 4u |n|·|p − origin|, the point then by 2u |n|·(|p| + |origin|),
+/// its height over the shape when asked for again by 4u |n|·(|centre| + |p|), and what the
+/// scene's own rounding moves two shapes apart that should touch by 2u |n|·(|centre| + |p|). All
+/// together stay below 16u |n|·(|centre| + |origin| + |p|).
 #[inline(always)]
 fn reach<V: Vector>(n: V, centre: V, size: V) -> V::T {
     let sizes = V::from_fn(|i| abs(centre.at(i)) + size.at(i));
@@ -77,8 +78,8 @@ fn reaches<T: Number>() -> T {
     T::int(16) * T::ROUNDING
 }
 
-/// How far behind a shape a point may be that should lie before it: rounding's `reach`, and twice that by
-/// which another shape has pushed it.
+/// How far behind a shape a point may be that should lie before it: rounding's `reach`, and twice
+/// that by which another shape has pushed it.
 #[inline(always)]
 fn pushed<T: Number>(reach: T) -> T {
     T::int(3) * reach

@@ -13,7 +13,8 @@ pub struct Plate<V: Vector> {
     pub normal: V,
     /// Unit vectors along its sides; the second counts in space alone.
     pub axes: [V; 2],
-    /// Half the length of each side; ∞ for a plane. The second counts in space alone, and is 0 in flatland.
+    /// Half the length of each side; ∞ for a plane. The second counts in space alone, and is 0 in
+    /// flatland.
     pub half: [V::T; 2],
     /// Which material.
     pub material: u8,
@@ -22,8 +23,8 @@ pub struct Plate<V: Vector> {
 impl<V: Vector> Plate<V> {
     /// Distance of the hit, ∞ for none.
     ///
-    /// Where plates meet, no ray gets through: a plate reaches as far beyond its edges as rounding can have
-    /// moved them or the hit, but never further than it is large.
+    /// Where plates meet, no ray gets through: a plate reaches as far beyond its edges as rounding
+    /// can have moved them or the hit, but never further than it is large.
     #[inline(always)]
     pub fn hit(&self, ray: &Ray<V>) -> V::T {
         let none = infinity();
@@ -55,8 +56,8 @@ impl<V: Vector> Plate<V> {
         (p.sub(self.centre).dot(normal), normal)
     }
 
-    /// (the point that a ray from `from` met, put on the plate and then off it, the unit normal on the side
-    /// of `from`).
+    /// (the point that a ray from `from` met, put on the plate and then off it, the unit normal on
+    /// the side of `from`).
     #[inline(always)]
     pub(crate) fn vertex(&self, from: V, p: V) -> (V, V) {
         let (height, normal) = self.above(from, p);
@@ -64,7 +65,8 @@ impl<V: Vector> Plate<V> {
         (p.along(normal, reach + reach - height), normal)
     }
 
-    /// `p` kept on the side that `from` is on, if it is so near that rounding may have taken it to the other.
+    /// `p` kept on the side that `from` is on, if it is so near that rounding may have taken it to
+    /// the other.
     #[inline(always)]
     pub(crate) fn kept(&self, from: V, p: V, size: V) -> Option<V> {
         let reach = reach(self.normal, self.centre, size);

@@ -16,7 +16,8 @@ pub struct Sphere<V: Vector> {
 }
 
 impl<V: Vector> Sphere<V> {
-    /// Square of half the chord (≤ 0: missed) of a line at `to` from the centre, nearest to it at `middle`.
+    /// Square of half the chord (≤ 0: missed) of a line at `to` from the centre, nearest to it at
+    /// `middle`.
     #[inline(always)]
     fn chord(&self, to: V, direction: V, middle: V::T) -> V::T {
         let across = to.along(direction, -middle);
@@ -31,8 +32,8 @@ impl<V: Vector> Sphere<V> {
 
     /// Distance of the first hit, ∞ for none.
     ///
-    /// Which root it is depends on nothing but the side that the ray starts on: from outside the nearer one,
-    /// if the ray comes closer at all, and from within the farther one, always.
+    /// Which root it is depends on nothing but the side that the ray starts on: from outside the
+    /// nearer one, if the ray comes closer at all, and from within the farther one, always.
     #[inline(always)]
     pub fn hit(&self, ray: &Ray<V>) -> V::T {
         let none = infinity();
@@ -60,13 +61,14 @@ impl<V: Vector> Sphere<V> {
         if far > zero() { far } else { zero() }
     }
 
-    /// (the point that `ray` met, put on the sphere and then off it, the unit normal on the side that the ray
-    /// comes from).
+    /// (the point that `ray` met, put on the sphere and then off it, the unit normal on the side
+    /// that the ray comes from).
     #[inline(always)]
     pub(crate) fn vertex(&self, ray: &Ray<V>, p: V) -> (V, V) {
         let out = p.sub(self.centre);
         let square = out.dot(out);
-        // A sphere smaller than the grid of numbers at its place may be its centre and nothing else.
+        // A sphere smaller than the grid of numbers at its place may be its centre and nothing
+        // else.
         let normal = if square > zero() {
             out.scale(one::<V::T>() / square.root())
         } else {
@@ -83,7 +85,8 @@ impl<V: Vector> Sphere<V> {
         )
     }
 
-    /// (the point off the sphere in the direction `normal` from its centre, whether `from` is outside).
+    /// (the point off the sphere in the direction `normal` from its centre, whether `from` is
+    /// outside).
     #[inline(always)]
     fn off(&self, normal: V, from: V, size: V) -> (V, bool) {
         let reach = reach(normal, self.centre, size) + reaches::<V::T>() * self.radius;
@@ -97,7 +100,8 @@ impl<V: Vector> Sphere<V> {
         (self.centre.along(normal, at), outside)
     }
 
-    /// `p` kept on the side that `from` is on, if it is so near that rounding may have taken it to the other.
+    /// `p` kept on the side that `from` is on, if it is so near that rounding may have taken it to
+    /// the other.
     #[inline(always)]
     pub(crate) fn kept(&self, from: V, p: V, size: V) -> Option<V> {
         let out = p.sub(self.centre);
