@@ -175,7 +175,9 @@ pub(super) fn around<L: Law>(law: L, input: &mut Input) {
     let n = if input.flag() { [n[0], n[2], n[1]] } else { n };
     let s = law.drawn(&mut input.words.clone());
     let t = L::turned(n, s.0);
-    let length = n.map(|c| wide(c).powi(2)).iter().sum::<f64>().sqrt();
+    // −1 is read as one unit more.
+    let squares = n.map(|c| wide(c).max(-1.0 + 1.0 / L::COMPONENT).powi(2));
+    let length = squares.iter().sum::<f64>().sqrt();
     let slack = if L::SHORT {
         2f64.powi(-12)
     } else {
