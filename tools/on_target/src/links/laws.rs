@@ -48,7 +48,11 @@ fn look(board: &Board, law: &str, number: &str, planted: Option<&str>) -> Result
     let (path, image) = build(board, &calls(law, number), planted)?;
     let files = bytes_by_file(&path, &image)?;
     // Both formats of fixed point share their laws.
-    let folder = if in_integers(number) { "fixed" } else { "law" };
+    let folder = if in_integers(number) {
+        "integers"
+    } else {
+        "law"
+    };
     let own = format!("{folder}/{}.rs", file(law));
     ensure(files.contains_key(&own), || {
         format!("{law} in {number}: no code of {own}")
@@ -132,7 +136,7 @@ fn needs(law: &str, number: &str) -> &'static [&'static str] {
 
 /// Whether a file below `src/` is a kernel of that name.
 fn is(file: &str, stem: &str) -> bool {
-    (file.starts_with("arithmetic/") || file.starts_with("fixed/q"))
+    (file.starts_with("arithmetic/") || file.starts_with("integers/q"))
         && file.ends_with(&format!("/{stem}.rs"))
 }
 
@@ -140,9 +144,10 @@ fn is(file: &str, stem: &str) -> bool {
 fn may_hold(law: &str, file: &str) -> bool {
     let other_law = Id::ALL.iter().any(|law| {
         let name = self::file(law.name());
-        file == format!("law/{name}.rs") || file == format!("fixed/{name}.rs")
+        file == format!("law/{name}.rs") || file == format!("integers/{name}.rs")
     });
-    let other_stage = ["frame.rs", "point.rs", "weight.rs", "moments.rs"].contains(&file);
+    let stage = file.strip_prefix("integers/").unwrap_or(file);
+    let other_stage = ["frame.rs", "point.rs", "weight.rs", "moments.rs"].contains(&stage);
     let other_kernel = KERNELS
         .iter()
         .any(|(stem, laws)| is(file, stem) && !laws.contains(&law));
@@ -165,8 +170,9 @@ mod tests {
             "arithmetic/native/atan.rs",
             "arithmetic/native/cbrt.rs",
             "arithmetic/fast/power.rs",
-            "fixed/q31/log.rs",
-            "fixed/cos_power.rs",
+            "integers/q31/log.rs",
+            "integers/cos_power.rs",
+            "integers/weight.rs",
             "law/disk.rs",
             "point.rs",
         ] {
