@@ -18,6 +18,7 @@ import subprocess
 import sys
 
 import fast_coefficients
+import root_coefficients
 from mpmath import mp, mpf, asin, atan, atanh, cos, expm1, ln, log1p, pi, sin, sqrt
 
 mp.dps = 110
@@ -289,6 +290,15 @@ for n from 2 to {12 if bits == 24 else 34} do {{
     return read_fit(script)
 
 
+def reciprocal_root():
+    """In integers: Sollya's polynomial, and where root_coefficients moves it."""
+    script = """
+p = fpminimax(1 / sqrt(1 + x), %d, [|16...|], [0; 1], fixed, relative);
+for i from 0 to %d do { print("C", coeff(p, i)); };
+""" % (root_coefficients.DEGREE, root_coefficients.DEGREE)
+    return root_coefficients.improved([int(c * 2**16) for c in read_fit(script)[0]])
+
+
 def pair(x, bits):
     hi = round_to(x, bits)
     lo = round_to(x - hi, bits)
@@ -339,6 +349,10 @@ def emit(bits, fits):
     lines += ["    // coefficients of x^3, x^5, ... in sin x, those that sine_tail leaves", "    sine_head: &["]
     lines += [f"        {pr(c)}," for c in factorial_series(True, 2)] + ["    ],"]
     lines += ["};", ""]
+    if bits == 24:
+        cs, spread = reciprocal_root()
+        lines += [f"/// 1 / sqrt(1 + x) in units of 2^-16; the root of sqrt.rs errs by a spread of {spread:.2f} ulp before it is corrected",
+                  f"pub(crate) const RECIPROCAL_ROOT: [i32; {len(cs)}] = {cs};", ""]
     path = f"src/arithmetic/native/coefficients_{ty}.rs"
     with open(path, "w") as f:
         f.write("\n".join(lines))

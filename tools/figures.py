@@ -41,11 +41,13 @@ def count(text):
 
 
 def largest(name):
-    """The largest error of the operations of the six laws that are judged in ulps."""
-    worst = max((r for r in HOST if r["name"] == name and r["law"] in SIX and r["max_ulp"]),
-                key=lambda r: float(r["max_ulp"]))
+    """The largest error of the operations of the six laws that are judged in ulps, and how surely."""
+    rows = [r for r in HOST if r["name"] == name and r["law"] in SIX and r["max_ulp"]]
+    worst = max(rows, key=lambda r: float(r["max_ulp"]))
     if worst["exhaustive"] == "true":
-        return f"{float(worst['max_ulp']):.2f} ulp, exhaustive"
+        whole = sum(r["exhaustive"] == "true" for r in rows)
+        how = "exhaustive" if whole == len(rows) else f"exhaustive in {whole} of {len(rows)} cells, else observed"
+        return f"{float(worst['max_ulp']):.2f} ulp, {how}"
     found = max(r["error"] for r in SEARCHED if r["type"] == name and r["law"] in SIX)
     return f"{found:.2f} ulp, searched"
 

@@ -7,7 +7,7 @@ use crate::law::Point;
 use ::fixed::types::{I1F15, I1F31, U0F16};
 
 /// The laws that [`Fixed`](type@crate::Fixed) knows: all of the crate, `CosPower` as
-/// [`fixed::CosPower`](super::CosPower). Sealed.
+/// [`integers::CosPower`](super::CosPower). Sealed.
 ///
 /// `L::Direction` is what a sample is, `[I1F31; 2]` or `[I1F31; 3]`; `L::Density` is `U0F32`, of
 /// [`CosPower`](super::CosPower) `U16F16`, and can do what any unsigned number of the `fixed` crate

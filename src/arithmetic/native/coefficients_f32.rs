@@ -246,3 +246,6 @@ pub(crate) const TABLE: Table<f32> = Table {
         },
     ],
 };
+
+/// 1 / sqrt(1 + x) in units of 2^-16; the root of sqrt.rs errs by a spread of 0.29 ulp before it is corrected
+pub(crate) const RECIPROCAL_ROOT: [i32; 5] = [65532, -32503, 22189, -12191, 3320];

@@ -2,15 +2,13 @@
 //! same bits, since IEEE 754 rounds a root once.
 //!
 //! Method: ρ ≈ 1/√X by a polynomial (2⁻¹³·⁷), of which t = Xρ is a root of 15 bits, and
-//! t + (X − t²)ρ/2 one that is off by −0.38 to 0.02 of the last place. Cut off, that is the root or
+//! t + (X − t²)ρ/2 one that is off by −0.36 to 0.02 of the last place. Cut off, that is the root or
 //! one less: the sign of X − r² − r, of which 32 bits are enough, tells which. No root is a tie.
 //!
 //! Error: none. Shown on every significand of either parity, every exponent and every subnormal
 //! number.
 
-/// 1/√(1 + x) in units of 2⁻¹⁶: Sollya's `fpminimax`, moved by some units to where the error of the
-/// step, which is always one way, is least.
-const RECIPROCAL: [i32; 5] = [65532, -32506, 22210, -12220, 3330];
+use super::coefficients_f32::RECIPROCAL_ROOT;
 
 /// Not normal and positive: subnormal, ±0, ∞, NaN, or negative.
 #[inline(always)]
@@ -40,7 +38,7 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     let odd = exponent & 1;
     let square = ((bits << 8) | 1 << 31) >> odd;
     let x = ((bits << 9) >> 16) as i32;
-    let [c0, c1, c2, c3, c4] = RECIPROCAL;
+    let [c0, c1, c2, c3, c4] = RECIPROCAL_ROOT;
     let step = |sum: i32, c: i32| (sum.wrapping_mul(x) >> 16).wrapping_add(c);
     let reciprocal = step(step(step(step(c4, c3), c2), c1), c0) as u32;
     // 2^(15, 14½)

@@ -167,7 +167,7 @@ fn rays_into_corners_stay_inside() {
 
 /// 1.8·10⁸ rays in f32, the end of each held against six planes: 1.1·10⁹ signs.
 #[test]
-#[ignore = "minutes"]
+#[ignore = "1.8·10⁸ rays, a minute: cargo test --release -p shade --test shade -- --ignored"]
 fn a_billion_signs_at_corners_are_right() {
     all_rooms::<f32>(30_000_000 / PATH);
     all_rooms::<f64>(1 << 16);

@@ -9,7 +9,7 @@ use crate::stats::claim::{Claim, Direction};
 use coslobe::rand_core::Rng;
 use coslobe::{Fixed, Fixed16, Moments};
 
-/// What `fixed::Integers`' documentation says of a law's errors in one format: the table after the
+/// What `coslobe::integers`' documentation says of a law's errors in one format: the table after the
 /// words `Those of` its name, largest errors in units of the last place by operation. What follows
 /// a number in a cell is its input.
 pub fn documented(format: &str) -> Vec<(String, Vec<f64>)> {
