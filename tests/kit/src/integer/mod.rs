@@ -9,9 +9,9 @@ use crate::stats::claim::{Claim, Direction};
 use coslobe::rand_core::Rng;
 use coslobe::{Fixed, Fixed16, Moments};
 
-/// What `coslobe::integers`' documentation says of a law's errors in one format: the table after the
-/// words `Those of` its name, largest errors in units of the last place by operation. What follows
-/// a number in a cell is its input.
+/// What the documentation of `coslobe::integers` says of a law's errors in one format: the table
+/// after the words `Those of` its name, largest errors in units of the last place by operation.
+/// What follows a number in a cell is its input.
 pub fn documented(format: &str) -> Vec<(String, Vec<f64>)> {
     const PAGE: &str = include_str!("../../../../src/integers/mod.rs");
     let rows = PAGE
