@@ -45,10 +45,12 @@ pub trait Kernel: Scalar {
     }
     /// ∛self for self ≥ 0.
     fn cbrt(self) -> Self;
-    /// As [`cbrt`](Kernel::cbrt), with what rounding took; for self far from underflow.
-    fn cbrt_wide(self) -> Self::Wide;
-    /// True where x is so small that 1 − x²/2 rounds to 1.
-    fn is_negligible(self) -> bool;
+    /// [`cbrt`](Kernel::cbrt) of the upper tail with what rounding took; `None` where nothing is
+    /// refined, and of a tail so small that cubes would underflow.
+    #[inline(always)]
+    fn cbrt_wide(_: Tails<Self>) -> Option<Self::Wide> {
+        None
+    }
 
     fn ln(self) -> Self;
     /// ln cos θ, from the smaller of cos θ and sin θ.

@@ -79,7 +79,7 @@ pub trait Format: Copy {
     fn frame_recip(z: i32) -> i32;
     fn to_world(normal: [i32; 3], recip: i32, local: [i32; 3]) -> [i32; 3];
     fn to_local(normal: [i32; 3], recip: i32, world: [i32; 3]) -> [i32; 3];
-    /// The product of a component's word and a part of it.
+    /// The product of a component's word, not negative, and a part of it.
     fn part(sin: i32, part: i32) -> Self::Component;
 
     /// A direction in space with cos θ the largest of N uniform numbers.

@@ -118,11 +118,10 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     /// With sin θ rounded from pairs: one rounding of a monotone value is monotone.
     #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
-        // Below this the ratio of the tails is 2/3 to all digits, and cubes would underflow.
-        if p.lower().is_negligible() || p.upper().is_negligible() {
+        let Some(wide) = W::cbrt_wide(p) else {
             return W::angle(self.warp_tails(p));
-        }
-        let (one, wide) = (W::Wide::from_value(W::ONE), p.upper().cbrt_wide());
+        };
+        let one = W::Wide::from_value(W::ONE);
         let next = one.add(wide);
         let square = next.div(next.add(wide.mul(wide)));
         let sin = square.mul(W::Wide::from_value(p.lower())).sqrt();

@@ -189,3 +189,24 @@ fn increment(counts: &mut [u16], cell: usize) {
         *count = count.saturating_add(1);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Place, Polar};
+
+    #[test]
+    fn every_sample_is_counted() {
+        let mut polar = Polar::default();
+        for i in 0..64u32 {
+            polar.add(Place {
+                tail: (1 << 30) >> (i >> 1),
+                upper: i & 1 == 1,
+                sector: None,
+            });
+        }
+        let count = |cells: &[u16]| cells.iter().sum::<u16>();
+        for (equal, halved) in polar.equal.iter().zip(&polar.halved) {
+            assert_eq!(count(equal) + count(halved), 32);
+        }
+    }
+}

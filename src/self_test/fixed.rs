@@ -91,8 +91,35 @@ where
         let tails = self.law.0.unwarp_tails(at);
         Ok(Place {
             tail: tails.lower.min(tails.upper) >> 1,
-            upper: tails.upper < tails.lower,
+            upper: tails.upper <= tails.lower,
             sector,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{InFixed, sector};
+    use crate::self_test::{InPlane, Subject, subject};
+    use crate::{CircleArc, Fixed};
+    use ::fixed::types::I1F31;
+
+    #[test]
+    fn sectors_are_those_of_the_other_number_types() {
+        // Borders of sectors are among them: a diagonal, and 169/408.
+        for x in [-408, -169, -2, -1, 0, 1, 2, 169, 408i16] {
+            for z in [-408, -169, -3, -1, 0, 1, 3, 169, 408i16] {
+                let expected = subject::sector(f32::from(x), f32::from(z));
+                assert_eq!(sector(x.into(), z.into()), expected, "({x}, {z})");
+            }
+        }
+    }
+
+    #[test]
+    fn the_axis_is_on_the_side_that_it_has_in_the_other_number_types() {
+        let axis = [I1F31::ZERO, I1F31::MAX];
+        let place = InFixed { law: Fixed(CircleArc) }.place(&axis);
+        let expected = InPlane::<f32, _>::new(CircleArc).place(&[0.0, 1.0]);
+        assert_eq!(place, expected);
     }
 }

@@ -106,7 +106,7 @@ fn place<T: Real>(
 }
 
 /// One of 16 sectors of the angle of (x, z), with no trigonometry.
-fn sector<T: Real>(x: T, z: T) -> u8 {
+pub(super) fn sector<T: Real>(x: T, z: T) -> u8 {
     let (a, b) = (x.abs(), z.abs());
     let steep = b > a;
     let (large, small) = if steep { (b, a) } else { (a, b) };

@@ -43,15 +43,6 @@ impl Kernel for Double {
         }
     }
     #[inline]
-    fn cbrt_wide(self) -> Self {
-        Kernel::cbrt(self)
-    }
-    /// True: a double-double has nothing more to refine.
-    #[inline(always)]
-    fn is_negligible(self) -> bool {
-        true
-    }
-    #[inline]
     fn ln(self) -> Self {
         log_exp::ln(self)
     }

@@ -29,18 +29,5 @@ pub(crate) fn one_minus_power(m: Double, v: Double) -> Double {
         };
     }
     let first = m * v;
-    let sum = first - first * rest;
-    if sum.lo == 0.0 {
-        // The rest is too small to be held, but its sign counts.
-        let least = sum.hi * power_of_two(-120);
-        let lo = if rest.hi > 0.0 {
-            -least
-        } else if rest.hi < 0.0 {
-            least
-        } else {
-            0.0
-        };
-        return Double { hi: sum.hi, lo };
-    }
-    sum
+    first - first * rest
 }

@@ -91,15 +91,6 @@ impl Kernel for Fast<f32> {
         Fast(root::cbrt(self.0))
     }
     #[inline(always)]
-    fn cbrt_wide(self) -> Self {
-        Kernel::cbrt(self)
-    }
-    /// True: nothing is refined.
-    #[inline(always)]
-    fn is_negligible(self) -> bool {
-        true
-    }
-    #[inline(always)]
     fn ln(self) -> Self {
         Fast(power::ln(self.0))
     }

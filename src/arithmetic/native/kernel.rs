@@ -71,12 +71,14 @@ impl<T: Native> Kernel for T {
         cbrt::cbrt(self)
     }
     #[inline(always)]
-    fn cbrt_wide(self) -> Pair<T> {
-        cbrt::refine(Kernel::cbrt(self), self)
-    }
-    #[inline(always)]
-    fn is_negligible(self) -> bool {
-        self < T::NEGLIGIBLE * T::NEGLIGIBLE
+    fn cbrt_wide(p: Tails<T>) -> Option<Pair<T>> {
+        // Below this the other tail is 1 to all digits.
+        let least = T::NEGLIGIBLE * T::NEGLIGIBLE;
+        if p.lower() < least || p.upper() < least {
+            None
+        } else {
+            Some(cbrt::refine(Kernel::cbrt(p.upper()), p.upper()))
+        }
     }
     #[inline(always)]
     fn ln(self) -> T {

@@ -70,12 +70,6 @@ impl Kernel for Scaled {
         let (part, e) = self.split_by(3);
         Self::new(root::cbrt(part), e)
     }
-    fn cbrt_wide(self) -> Self {
-        Kernel::cbrt(self)
-    }
-    fn is_negligible(self) -> bool {
-        true
-    }
     fn ln(self) -> Self {
         if self.exponent.wrapping_abs() <= DIGITS {
             return Self::from_double(log_exp::ln(self.double()));

@@ -8,7 +8,8 @@ const ONE: i32 = 1 << 15;
 /// 1/(1 + |z|) in Q15.
 #[inline(always)]
 pub(crate) fn recip(z: i32) -> i32 {
-    let recip = half_recip((1 << 31) | (z.unsigned_abs().min(0x7FFF) << 16)) >> 16;
+    // 1 + |z| but for its top bit, which is not read.
+    let recip = half_recip(z.unsigned_abs().min(0x7FFF) << 16) >> 16;
     ((recip >> 1).wrapping_add(recip & 1)) as i32
 }
 

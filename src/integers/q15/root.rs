@@ -59,8 +59,7 @@ pub(crate) fn fourth(x: u32) -> (u32, u32) {
         return (0, 0);
     }
     let (m, shift) = normal_below::<16>(x);
-    // The error must not leave the mantissa's range.
-    let root = sqrt_of(m, shift & 1) | (1 << 31);
+    let root = sqrt_of(m, shift & 1);
     let e = shift >> 1;
     (halve(sqrt_of(root, e & 1) >> (e >> 1)), root >> e)
 }
@@ -84,7 +83,7 @@ pub(crate) fn cbrt(x: u32) -> u32 {
     root >> third
 }
 
-/// 1/(2d) in Q32, of d ≥ ½ in Q32.
+/// 1/(2d) in Q32, of d ≥ ½ in Q32, whose top bit is not read.
 #[inline(always)]
 pub(crate) fn half_recip(d: u32) -> u32 {
     let half = RECIP.at(d << 1);

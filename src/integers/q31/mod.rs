@@ -189,8 +189,8 @@ impl Format for Q31 {
 
     #[inline(always)]
     fn part(sin: i32, part: i32) -> I1F31 {
-        let size = mul::mul_high(sin.unsigned_abs() << 1, part.unsigned_abs());
-        I1F31::from_bits(signed(size, (sin ^ part) as u32))
+        let size = mul::mul_high((sin as u32) << 1, part.unsigned_abs());
+        I1F31::from_bits(signed(size, part as u32))
     }
 
     #[inline(always)]
