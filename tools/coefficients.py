@@ -327,7 +327,7 @@ def emit(bits, fits):
         lines += [f"        {t(c)}," for c in cs] + ["    ],"]
     for name, cs, doc in [
         ("cosine_integral", over_even_powers(7), "integral of cos^n over its leading term, in m^-2, m = (2n + 1)/4"),
-        ("angle_integral", over_powers(14), "n times the integral of theta cos^n, in 1/n"),
+        ("angle_integral", over_powers(14)[2:], "n times the integral of theta cos^n less 1 - 2/3n, over 1/n^2, in 1/n"),
     ]:
         lines += [f"    // {doc}; asymptotic", f"    {name}: &["]
         lines += [f"        {t(round_to(c, bits))}," for c in cs] + ["    ],"]

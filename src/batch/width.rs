@@ -79,3 +79,16 @@ pub(super) fn dispatch(batch: impl NullaryFnOnce) {
     }
     batch.call();
 }
+
+#[cfg(all(test, any(target_arch = "x86", target_arch = "x86_64")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn batches_read_the_limit() {
+        for width in [Width::Compiled, Width::Avx2, Width::Avx512] {
+            limit(width);
+            assert_eq!(limited(), width);
+        }
+    }
+}

@@ -118,7 +118,10 @@ mod tests {
     #[test]
     fn the_axis_is_on_the_side_that_it_has_in_the_other_number_types() {
         let axis = [I1F31::ZERO, I1F31::MAX];
-        let place = InFixed { law: Fixed(CircleArc) }.place(&axis);
+        let place = InFixed {
+            law: Fixed(CircleArc),
+        }
+        .place(&axis);
         let expected = InPlane::<f32, _>::new(CircleArc).place(&[0.0, 1.0]);
         assert_eq!(place, expected);
     }

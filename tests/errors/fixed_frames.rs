@@ -143,6 +143,22 @@ fn rotations_are_within_their_bounds() {
     );
 }
 
+/// Around +y nothing turns, and no bit of x is lost.
+#[test]
+fn a_frame_around_the_axis_keeps_x() {
+    fn keeps_x<C: Component>(rng: &mut impl Rng) {
+        let [axis, local] = [[0.0, 1.0, 0.0], unit(rng)].map(|v| v.map(C::of));
+        // No component is −1.
+        let x = C::of(local[0].into().max(C::UNIT - 1.0));
+        assert_eq!(C::world(axis, local)[0], x, "{local:?}");
+    }
+    let mut rng = words::pcg("axis");
+    for _ in 0..10_000 {
+        keeps_x::<I1F31>(&mut rng);
+        keeps_x::<I1F15>(&mut rng);
+    }
+}
+
 /// A sample with its density is the bare one, and its pair is the direction's before it was turned.
 #[test]
 fn samples_with_density_are_the_same() {

@@ -9,6 +9,7 @@ mod planted;
 mod points;
 mod precise_directions;
 mod precise_points;
+mod precise_roundings;
 mod precise_tiny;
 mod q15;
 mod q31;

@@ -2,7 +2,7 @@
 //! steps between them underflow.
 #![allow(clippy::incompatible_msrv)] // the MSRV is the core's; tests run on newer toolchains
 
-use coslobe::{CosSin, Lambert, Law, Precise, Spatial};
+use coslobe::{CosPower, CosSin, Lambert, Law, Precise, Spatial};
 use kit::catalogue::one_law;
 use kit::{Id, LawVisitor, PlanarLaw, SpatialLaw};
 use std::collections::BTreeMap;
@@ -178,6 +178,21 @@ fn where_they_do_not() {
     let rows = ordinary();
     assert!(rows.len() > 6500, "{} rows", rows.len());
     within_bound(&rows);
+}
+
+/// sin²θ of a pair, which underflows, times an exponent that brings it back.
+#[test]
+fn a_lobe_as_narrow_as_numbers_allow() {
+    let power = |n| 2f64.powi(n);
+    let law = CosPower::new(Precise(power(880))).expect("an exponent");
+    for sin in [1.0, 1.1, 1.3, 1.7] {
+        let at = CosSin {
+            cos: Precise(1.0),
+            sin: Precise(sin * power(-530)),
+        };
+        // (k + 1) sin²θ/2: all other terms are too small to count.
+        assert_eq!(law.unwarp(at).0, sin * sin * power(-181), "{sin}");
+    }
 }
 
 /// A step of a single last place away from the truth is beyond the bound, wherever it is taken.

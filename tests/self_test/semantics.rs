@@ -139,6 +139,27 @@ fn invalid_samples_are_named_and_the_first_is_kept() {
     assert_eq!(place, Err(Invalid::Density));
 }
 
+/// As much as the documentation says, in every number type.
+#[test]
+fn lengths_are_held_to_the_digits_of_the_type() {
+    struct Lengths;
+    impl NumberVisitor for Lengths {
+        fn number<T: Number>(&mut self) {
+            let slack = 0.5f64.powi(match T::NAME {
+                "f32" | "Precise<f32>" => 18,
+                "f64" | "Precise<f64>" => 34,
+                _ => 10,
+            });
+            let subject = InSpace::<T, _>::new(Lambert);
+            // Of squares off 1 by a half and by twice of what is allowed.
+            let place = |off: f64| subject.place(&[0.0, 1.0 + off, 0.0].map(T::of));
+            assert!(place(slack / 4.0).is_ok(), "{}", T::NAME);
+            assert_eq!(place(slack), Err(Invalid::Length), "{}", T::NAME);
+        }
+    }
+    every_number(&mut Lengths);
+}
+
 #[test]
 fn places_are_those_of_the_law() {
     let subject = InSpace::<f32, _>::new(Lambert);

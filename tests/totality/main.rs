@@ -3,4 +3,5 @@
 //!
 //! Fuzzing's checks, replayed by `cargo test -p checks`, hold every number type to the same.
 
+mod borders;
 mod precise;

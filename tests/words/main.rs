@@ -2,4 +2,5 @@
 //! of them.
 
 mod q15;
+mod samples;
 mod uniforms;

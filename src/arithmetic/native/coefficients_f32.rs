@@ -167,10 +167,8 @@ pub(crate) const TABLE: Table<f32> = Table {
         0.0067542377,
         -0.02663696,
     ],
-    // n times the integral of theta cos^n, in 1/n; asymptotic
+    // n times the integral of theta cos^n less 1 - 2/3n, over 1/n^2, in 1/n; asymptotic
     angle_integral: &[
-        1.0,
-        -0.6666667,
         0.26666668,
         0.07619048,
         -0.15238096,

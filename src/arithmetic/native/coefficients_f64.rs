@@ -286,10 +286,8 @@ pub(crate) const TABLE: Table<f64> = Table {
         0.006754237533641572,
         -0.02663696061311782,
     ],
-    // n times the integral of theta cos^n, in 1/n; asymptotic
+    // n times the integral of theta cos^n less 1 - 2/3n, over 1/n^2, in 1/n; asymptotic
     angle_integral: &[
-        1.0,
-        -0.6666666666666666,
         0.26666666666666666,
         0.0761904761904762,
         -0.1523809523809524,

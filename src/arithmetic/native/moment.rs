@@ -30,11 +30,8 @@ fn plain<T: Native>(n: Pair<T>) -> Pair<T> {
 /// Σ bⱼ/nʲ.
 fn weighted<T: Native>(n: Pair<T>) -> Pair<T> {
     let recip = Pair::from_value(T::ONE).div(n);
-    let [_, _, rest @ ..] = T::TABLE.angle_integral else {
-        return n; // the series has terms
-    };
     let bend = Pair::ratio(-2, 3).mul(recip);
-    let tail = recip.hi * recip.hi * horner(recip.hi, rest);
+    let tail = recip.hi * recip.hi * horner(recip.hi, T::TABLE.angle_integral);
     recip.mul(
         Pair::from_value(T::ONE)
             .add(bend)

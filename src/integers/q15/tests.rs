@@ -7,7 +7,7 @@ use super::coefficients::{TURN_COS, TURN_SIN};
 use super::{Q15 as Format15, angle, draw, kepler, root, turn};
 use crate::integers::{Format, cos_sin};
 use ::fixed::types::{I0F16, I1F15};
-use core::f64::consts::{FRAC_PI_4, TAU};
+use core::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 use std::{println, vec::Vec};
 
 const Q15: f64 = 32768.0;
@@ -61,6 +61,14 @@ fn angle_error(phase: u32) -> f64 {
     (f64::from(angle::first_quadrant(of(cos), of(sin))) / Q16 - at * Q16).abs()
 }
 
+/// Of a pair that is too long, up to (1, 1): near enough to show that nothing wraps.
+fn long_angle_error(phase: u32) -> f64 {
+    let at = f64::from(phase) / Q16 / 4.0;
+    let (sin, cos) = (at * TAU).sin_cos();
+    let of = |x: f64| (x * SQRT_2 * Q31).min(Q31 - 1.0) as u32;
+    (f64::from(angle::first_quadrant(of(cos), of(sin))) / Q16 - at * Q16).abs()
+}
+
 fn sqrt_error(x: u32) -> f64 {
     if x == 0 {
         return 0.0;
@@ -106,10 +114,11 @@ fn kepler_error(z: u32) -> f64 {
 
 type Row = (&'static str, fn(u32) -> f64, f64);
 
-const PHASES: [Row; 3] = [
+const PHASES: [Row; 4] = [
     ("turn", turn_error, 1.0),
     ("unit", unit_error, 1.0),
     ("angle", angle_error, 0.56),
+    ("angle of a long pair", long_angle_error, 2048.0),
 ];
 
 const ROOTS: [Row; 6] = [

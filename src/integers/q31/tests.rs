@@ -5,7 +5,7 @@ extern crate std;
 
 use super::coefficients::{TURN_COS, TURN_SIN};
 use super::{angle, cbrt, kepler, recip, sqrt, turn};
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use rayon::prelude::*;
 use std::{println, vec::Vec};
 
@@ -102,6 +102,14 @@ fn angle_error(phase: u32) -> f64 {
     (f64::from(angle::first_quadrant(of(cos), of(sin))) - at * Q32).abs()
 }
 
+/// Of a pair that is too long, up to (1, 1): near enough to show that nothing wraps.
+fn long_angle_error(phase: u32) -> f64 {
+    let at = f64::from(phase >> 2) / Q32;
+    let (sin, cos) = (at * TAU).sin_cos();
+    let of = |x: f64| (x * SQRT_2 * Q31).min(Q31 - 1.0) as u32;
+    (f64::from(angle::first_quadrant(of(cos), of(sin))) - at * Q32).abs()
+}
+
 /// Against p at the angle found, divided by the slope: no inverse is called for.
 fn kepler_error(x: u32) -> f64 {
     let z = cbrt::of_mantissa(x | (1 << 31), 1 + (x & 31));
@@ -120,10 +128,11 @@ fn kepler_error(x: u32) -> f64 {
 
 type Row = (&'static str, fn(u32) -> f64, f64);
 
-const ANGLES: [Row; 4] = [
+const ANGLES: [Row; 5] = [
     ("turn", turn_error, 1.5),
     ("unit", unit_error, 2.0),
     ("angle", angle_error, 1.0),
+    ("angle of a long pair", long_angle_error, 134217728.0),
     ("kepler", kepler_error, 4.0),
 ];
 
