@@ -51,3 +51,18 @@ pub(crate) fn cbrt<T: Native>(x: T) -> T {
 pub(crate) fn cbrt_times<T: Native>(k: Pair<T>, x: T) -> T {
     scaled(x * (k.hi * T::CBRT_UP) + x * (k.lo * T::CBRT_UP))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::cbrt;
+
+    #[test]
+    fn f32_keeps_the_proved_bound() {
+        for bits in (1f32.to_bits()..8f32.to_bits()).step_by(5) {
+            let x = f32::from_bits(bits);
+            // Between 1 and 2.
+            let off = (f64::from(cbrt(x)) - libm::cbrt(x.into())).abs();
+            assert!(off < 0.75 * f64::from(f32::EPSILON), "{bits:#x}");
+        }
+    }
+}

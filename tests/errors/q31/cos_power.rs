@@ -135,3 +135,15 @@ fn the_rim_has_a_density_for_k_0_alone() {
         assert_eq!(law.pdf(past), 0, "k = {k}/65536");
     }
 }
+
+/// Two equal components name two directions unless both are √½: that of cos θ counts, as in floats.
+#[test]
+fn equal_components_are_judged_by_the_cosine() {
+    let law = Fixed(coslobe::integers::CosPower::new(U16F16::from_num(7)));
+    for cos in [0.3, 0.6, 0.9] {
+        let [cos, sin] = [I1F31::from_num(cos); 2];
+        let want = 8.0 / TAU * f64::from(cos).powi(7);
+        let got = f64::from(law.density(CosSin { cos, sin }));
+        assert!((got - want).abs() < 2.0 / 65536.0, "{cos}: {got} {want}");
+    }
+}
