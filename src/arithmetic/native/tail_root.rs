@@ -7,7 +7,6 @@
 //!
 //! No branch, no pair arithmetic in the hot path.
 
-use super::exp2::{exp2_m1, whole_and_rest};
 use super::format::Native;
 use super::pair::Pair;
 use super::poly::{by_fours, horner};
@@ -21,6 +20,7 @@ pub struct TailRoot<T> {
     rest: T,
     /// 2/n · log₂ e.
     slope: T,
+    slope_rest: T,
     /// `up` = 2/n · 4ⁱ, `down` = 2⁻ⁱ: sin²θ itself may underflow.
     up: T,
     down: T,
@@ -32,10 +32,12 @@ impl<T: Native> TailRoot<T> {
         let share = Pair::from_value(two).div(n);
         let head = share.hi.exponent_factor();
         let (m, e) = n.hi.split(T::ONE);
+        let slope = share.div(T::CONSTANTS.ln_2);
         TailRoot {
             head,
             rest: (share.hi - head) + share.lo,
-            slope: share.div(T::CONSTANTS.ln_2).value(),
+            slope: slope.hi,
+            slope_rest: slope.lo,
             up: two / m * T::exp2(60i32.wrapping_sub(e & 1)),
             down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
@@ -49,26 +51,25 @@ impl<T: Native> TailRoot<T> {
         let e = T::from_i32(e.wrapping_sub(T::ROOT_EXPONENT));
         // What rounding took from an upper tail beyond ½: for it, e is 0 or −1.
         let lost = (T::ONE - upper) - lower;
-        let f = (m - T::ONE) + lost * (T::ONE - e);
-        let ln = ln_1p(f);
+        let lost = lost + T::select(upper < T::ROOT_HALF, lost, T::ZERO);
+        let ln = ln_1p((m - T::ONE) + lost);
         let lead = e * self.head;
-        let trail = ln * self.slope + e * self.rest;
-        let y = Pair {
-            hi: lead,
-            lo: trail,
-        };
-        let (n, r) = whole_and_rest(y);
-        let part = exp2_m1(r);
+        let near = ln * self.slope;
+        let rest = ln * self.slope_rest + e * self.rest;
+        let y = lead + near;
+        let (whole, n) = y.nearest();
+        let lead = (lead - whole) + near;
+        let part = exp2_m1(lead, rest);
 
-        let square = (T::ONE + part.value()) * T::exp2(n & 1);
+        let square = (T::ONE + part) * T::exp2(n & 1);
         let lift = T::exp2((n >> 1).wrapping_add(T::LIFT_EXPONENT));
         let cos = square.sqrt() * lift * T::DROP;
 
         let power = T::exp2(n.max(T::LEAST_EXPONENT));
-        let full = ((T::ONE - power) - power * part.hi) - power * part.lo;
+        let full = (T::ONE - power) - power * part;
         // −2 ln/n, to the first order: sin²θ of a large n or a small tail.
         let first = T::ZERO - (e * T::CONSTANTS.ln_2.hi + ln) * self.up;
-        let slight = y.value() > -T::SLIGHT;
+        let slight = y > -T::SLIGHT;
         let sin = T::select(slight, first, full).sqrt() * T::select(slight, self.down, T::ONE);
 
         let nothing = upper == T::ZERO;
@@ -77,6 +78,13 @@ impl<T: Native> TailRoot<T> {
             sin: T::select(nothing, T::ONE, sin),
         }
     }
+}
+
+#[inline(always)]
+fn exp2_m1<T: Native>(lead: T, rest: T) -> T {
+    let r = lead + rest;
+    let ln_2 = T::CONSTANTS.ln_2.hi;
+    lead * ln_2 + (rest * ln_2 + r * r * by_fours(r, T::TABLE.exp2_bend))
 }
 
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as f − f²/2 + s(f²/2 + 2s²/3 + …), s = f/(2 + f).
