@@ -17,9 +17,9 @@ pub trait Planar<T: Real>: Law<T> {
     /// Draws \[sin θ, cos θ\]: a unit vector with cos θ > 0.
     ///
     /// Randomness: one `next_u64` for `f32`, two for `f64`; no rejection.
-    #[inline]
+    #[inline(always)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
-        self.sample_from_bits(T::draw_tail_bits(rng))
+        made_of(self, T::draw_tail_bits(rng))
     }
 
     /// [`sample`](Planar::sample) with a generator that can fail: the same words in the same order.
@@ -91,4 +91,11 @@ pub trait Planar<T: Real>: Law<T> {
             density: self.density(at),
         }
     }
+}
+
+/// [`sample_from_bits`](Planar::sample_from_bits), not always inlined: in a loop of samples, which
+/// is, a generator's state stays in registers.
+#[inline]
+fn made_of<T: Real, L: Planar<T> + ?Sized>(law: &L, bits: TailBits<T>) -> [T; 2] {
+    law.sample_from_bits(bits)
 }

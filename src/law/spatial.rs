@@ -22,10 +22,10 @@ pub trait Spatial<T: Real>: Law<T> {
     ///
     /// Randomness: one `next_u64` then one `next_u32` for `f32`, three `next_u64` for `f64`; no
     /// rejection.
-    #[inline]
+    #[inline(always)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         let tail = T::draw_tail_bits(rng);
-        self.sample_from_bits(tail, T::draw_turn_bits(rng))
+        made_of(self, tail, T::draw_turn_bits(rng))
     }
 
     /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same
@@ -182,4 +182,15 @@ pub trait Spatial<T: Real>: Law<T> {
         let turn = if turn >= T::ONE { T::ZERO } else { turn };
         [p.abs(), turn.abs()]
     }
+}
+
+/// [`sample_from_bits`](Spatial::sample_from_bits), not always inlined: in a loop of samples, which
+/// is, a generator's state stays in registers.
+#[inline]
+fn made_of<T: Real, L: Spatial<T> + ?Sized>(
+    law: &L,
+    theta: TailBits<T>,
+    phi: TurnBits<T>,
+) -> [T; 3] {
+    law.sample_from_bits(theta, phi)
 }
