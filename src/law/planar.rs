@@ -17,9 +17,11 @@ pub trait Planar<T: Real>: Law<T> {
     /// Draws \[sin θ, cos θ\]: a unit vector with cos θ > 0.
     ///
     /// Randomness: one `next_u64` for `f32`, two for `f64`; no rejection.
-    #[inline(always)]
+    // Always on hosts: a loop of samples keeps the generator in registers.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
-        made_of(self, T::draw_tail_bits(rng))
+        self.sample_from_bits(T::draw_tail_bits(rng))
     }
 
     /// [`sample`](Planar::sample) with a generator that can fail: the same words in the same order.
@@ -91,11 +93,4 @@ pub trait Planar<T: Real>: Law<T> {
             density: self.density(at),
         }
     }
-}
-
-/// [`sample_from_bits`](Planar::sample_from_bits), not always inlined: in a loop of samples, which
-/// is, a generator's state stays in registers.
-#[inline]
-fn made_of<T: Real, L: Planar<T> + ?Sized>(law: &L, bits: TailBits<T>) -> [T; 2] {
-    law.sample_from_bits(bits)
 }

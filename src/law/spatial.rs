@@ -22,10 +22,12 @@ pub trait Spatial<T: Real>: Law<T> {
     ///
     /// Randomness: one `next_u64` then one `next_u32` for `f32`, three `next_u64` for `f64`; no
     /// rejection.
-    #[inline(always)]
+    // Always on hosts: a loop of samples keeps the generator in registers.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         let tail = T::draw_tail_bits(rng);
-        made_of(self, tail, T::draw_turn_bits(rng))
+        self.sample_from_bits(tail, T::draw_turn_bits(rng))
     }
 
     /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same
@@ -153,8 +155,7 @@ pub trait Spatial<T: Real>: Law<T> {
     /// low-discrepancy points. NaN outside \[0, 1\]². Of `Precise` each component is rounded once.
     #[inline(always)]
     fn warp_direction(&self, u: [T; 2]) -> [T; 3] {
-        let turn = Tails::from_lower(u[1]).lower();
-        self.warp_spherical(Tails::from_lower(u[0]), Azimuth::Turn(turn))
+        at_pair(self, u[0], u[1])
     }
 
     /// [`warp_direction`](Spatial::warp_direction) of each pair of `u`: a slice for each component.
@@ -184,13 +185,9 @@ pub trait Spatial<T: Real>: Law<T> {
     }
 }
 
-/// [`sample_from_bits`](Spatial::sample_from_bits), not always inlined: in a loop of samples, which
-/// is, a generator's state stays in registers.
-#[inline]
-fn made_of<T: Real, L: Spatial<T> + ?Sized>(
-    law: &L,
-    theta: TailBits<T>,
-    phi: TurnBits<T>,
-) -> [T; 3] {
-    law.sample_from_bits(theta, phi)
+/// [`warp_direction`](Spatial::warp_direction) of two numbers.
+#[inline(always)]
+fn at_pair<T: Real, L: Spatial<T> + ?Sized>(law: &L, u: T, v: T) -> [T; 3] {
+    let turn = Tails::from_lower(v).lower();
+    law.warp_spherical(Tails::from_lower(u), Azimuth::Turn(turn))
 }

@@ -3,13 +3,14 @@
 //! Method: y = (2/n)·log₂ of the tail; cos²θ = 2ʸ, of which cos θ is the root, which halves its
 //! error, and sin²θ what it lacks of 1, from 2ʳ − 1 at y's distance r to the nearest integer. The
 //! logarithm is that of the nearer tail, e + log₂(1 + f) with f exact. 2/n is held as a short
-//! head, whose product with e is exact, and a rest.
+//! head, whose product with e is exact, and a rest; what is small is added last, after the sum
+//! that cancels.
 //!
 //! No branch, no pair arithmetic in the hot path.
 
 use super::format::Native;
 use super::pair::Pair;
-use super::poly::{by_fours, horner};
+use super::poly::by_twos;
 use crate::{CosSin, Tails};
 
 /// What n ≥ 1 needs for it, worked out once.
@@ -21,7 +22,7 @@ pub struct TailRoot<T> {
     /// 2/n · log₂ e.
     slope: T,
     slope_rest: T,
-    /// `up` = 2/n · 4ⁱ, `down` = 2⁻ⁱ: sin²θ itself may underflow.
+    /// `up` = −2/n · 4ⁱ, `down` = 2⁻ⁱ: sin²θ itself may underflow.
     up: T,
     down: T,
 }
@@ -38,7 +39,7 @@ impl<T: Native> TailRoot<T> {
             rest: (share.hi - head) + share.lo,
             slope: slope.hi,
             slope_rest: slope.lo,
-            up: two / m * T::exp2(60i32.wrapping_sub(e & 1)),
+            up: -two / m * T::exp2(60i32.wrapping_sub(e & 1)),
             down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
     }
@@ -68,7 +69,7 @@ impl<T: Native> TailRoot<T> {
         let power = T::exp2(n.max(T::LEAST_EXPONENT));
         let full = (T::ONE - power) - power * part;
         // −2 ln/n, to the first order: sin²θ of a large n or a small tail.
-        let first = T::ZERO - (e * T::CONSTANTS.ln_2.hi + ln) * self.up;
+        let first = (e * T::CONSTANTS.ln_2.hi + ln) * self.up;
         let slight = y > -T::SLIGHT;
         let sin = T::select(slight, first, full).sqrt() * T::select(slight, self.down, T::ONE);
 
@@ -80,11 +81,12 @@ impl<T: Native> TailRoot<T> {
     }
 }
 
+/// 2ʳ − 1, r = `lead` + `rest` and |r| ≤ ½ or little more: of `lead` what a sum would round counts.
 #[inline(always)]
 fn exp2_m1<T: Native>(lead: T, rest: T) -> T {
     let r = lead + rest;
     let ln_2 = T::CONSTANTS.ln_2.hi;
-    lead * ln_2 + (rest * ln_2 + r * r * by_fours(r, T::TABLE.exp2_bend))
+    lead * ln_2 + (rest * ln_2 + r * r * by_twos(r, T::TABLE.exp2_bend))
 }
 
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as f − f²/2 + s(f²/2 + 2s²/3 + …), s = f/(2 + f).
@@ -93,11 +95,5 @@ fn ln_1p<T: Native>(f: T) -> T {
     let s = f / (T::ONE + T::ONE + f);
     let w = s * s;
     let half_square = f * f * T::HALF;
-    let table = T::TABLE.atanh;
-    let rest = if table.len() > 4 {
-        by_fours(w, table)
-    } else {
-        horner(w, table)
-    };
-    f - (half_square - s * (half_square + w * rest))
+    f - (half_square - s * (half_square + w * by_twos(w, T::TABLE.atanh)))
 }
