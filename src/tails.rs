@@ -41,6 +41,22 @@ impl<T: Scalar> Tails<T> {
         Tails { lower, upper }
     }
 
+    /// [`from_nearer`](Tails::from_nearer) for p > 0 and a random side. Sums leave numbers where they
+    /// are; where a sum is no routine, that takes less time than masks.
+    #[inline(always)]
+    pub(crate) fn from_side(p: T, is_upper: bool) -> Self {
+        if !cfg!(target_pointer_width = "64") {
+            return Self::from_nearer(p, is_upper);
+        }
+        let side = u32::from(is_upper);
+        let (from, to) = T::swap_if_odd(side, T::ZERO, T::ONE);
+        let p = p.negate_if_odd(side);
+        Tails {
+            lower: from + p,
+            upper: to - p,
+        }
+    }
+
     /// From both tails as computed apart from each other: keeps the nearer one.
     #[inline(always)]
     pub(crate) fn from_both(lower: T, upper: T) -> Self {

@@ -17,7 +17,9 @@ pub trait Planar<T: Real>: Law<T> {
     /// Draws \[sin θ, cos θ\]: a unit vector with cos θ > 0.
     ///
     /// Randomness: one `next_u64` for `f32`, two for `f64`; no rejection.
-    #[inline]
+    // Always on hosts: a loop of samples keeps the generator in registers.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
         self.sample_from_bits(T::draw_tail_bits(rng))
     }

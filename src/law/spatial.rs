@@ -22,7 +22,9 @@ pub trait Spatial<T: Real>: Law<T> {
     ///
     /// Randomness: one `next_u64` then one `next_u32` for `f32`, three `next_u64` for `f64`; no
     /// rejection.
-    #[inline]
+    // Always on hosts: a loop of samples keeps the generator in registers.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
         let tail = T::draw_tail_bits(rng);
         self.sample_from_bits(tail, T::draw_turn_bits(rng))
@@ -153,8 +155,7 @@ pub trait Spatial<T: Real>: Law<T> {
     /// low-discrepancy points. NaN outside \[0, 1\]². Of `Precise` each component is rounded once.
     #[inline(always)]
     fn warp_direction(&self, u: [T; 2]) -> [T; 3] {
-        let turn = Tails::from_lower(u[1]).lower();
-        self.warp_spherical(Tails::from_lower(u[0]), Azimuth::Turn(turn))
+        at_pair(self, u[0], u[1])
     }
 
     /// [`warp_direction`](Spatial::warp_direction) of each pair of `u`: a slice for each component.
@@ -182,4 +183,11 @@ pub trait Spatial<T: Real>: Law<T> {
         let turn = if turn >= T::ONE { T::ZERO } else { turn };
         [p.abs(), turn.abs()]
     }
+}
+
+/// [`warp_direction`](Spatial::warp_direction) of two numbers.
+#[inline(always)]
+fn at_pair<T: Real, L: Spatial<T> + ?Sized>(law: &L, u: T, v: T) -> [T; 3] {
+    let turn = Tails::from_lower(v).lower();
+    law.warp_spherical(Tails::from_lower(u), Azimuth::Turn(turn))
 }

@@ -79,7 +79,7 @@ impl Tier for f32 {
 
     #[inline(always)]
     fn tails_from_half(bits: u32) -> Tails<f32> {
-        Tails::from_nearer(uniform::tail_of_half(bits), bits >> 31 != 0)
+        Tails::from_side(uniform::tail_of_half(bits), bits >> 31 != 0)
     }
 
     #[inline(always)]

@@ -80,7 +80,7 @@ impl Tier for f64 {
 
     #[inline(always)]
     fn tails_from_half(bits: u64) -> Tails<f64> {
-        Tails::from_nearer(uniform::tail_of_half(bits), bits >> 63 != 0)
+        Tails::from_side(uniform::tail_of_half(bits), bits >> 63 != 0)
     }
 
     #[inline(always)]

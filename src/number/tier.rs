@@ -109,7 +109,7 @@ pub trait Tier: Scalar {
     #[inline(always)]
     fn tails_from_bits(bits: Self::TailBits) -> Tails<Self> {
         let (p, is_upper) = Self::nearer_from_bits(bits);
-        Tails::from_nearer(p, is_upper)
+        Tails::from_side(p, is_upper)
     }
     /// One word for two uniforms, each of half its bits: probabilities or azimuths.
     ///

@@ -28,3 +28,16 @@ pub(crate) fn by_fours<T: Native>(x: T, c: &[T]) -> T {
     });
     (s0 + x2 * s2) + x * (s1 + x2 * s3)
 }
+
+/// Σ cᵢ xⁱ, of a long series even terms and odd ones by themselves: one product more.
+#[inline(always)]
+pub(crate) fn by_twos<T: Native>(x: T, c: &[T]) -> T {
+    let Some((rest, &[a, b])) = c.split_last_chunk().filter(|_| c.len() > 4) else {
+        return horner(x, c);
+    };
+    let x2 = x * x;
+    // From the last term on; the sum that the next one belongs to stands last.
+    let sums = rest.iter().rev();
+    let [even, odd] = sums.fold([a, b], |[other, next], &k| [next * x2 + k, other]);
+    even + x * odd
+}

@@ -1,26 +1,33 @@
 //! (cos 2πu, sin 2πu) of an angle in turns, with no range reduction to lose digits in.
 
 use super::pair::Pair;
-use super::poly::horner;
+use super::poly::{by_twos, horner};
 use crate::CosSin;
 use crate::arithmetic::native::format::Native;
 use crate::scalar::Scalar;
 
-/// (cos, sin) of 2πx = `slope`·`arg` for |x| ≤ 1/8, where `slope` is 2π times `share`.
+/// (cos, sin) of 2πx = `slope`·`arg` for |x| ≤ 1/8, where `slope` is 2π times `share`; `sum` is
+/// that of powers.
 #[inline(always)]
-fn eighth<T: Native>(x: T, arg: T, slope: Pair<T>, share: T) -> CosSin<T> {
+fn eighth<T: Native>(
+    x: T,
+    arg: T,
+    slope: Pair<T>,
+    share: T,
+    sum: impl Fn(T, &[T]) -> T,
+) -> CosSin<T> {
     let v = x * x;
-    let bend = v * share * horner(v, T::TABLE.sin_turn);
+    let bend = v * share * sum(v, T::TABLE.sin_turn);
     CosSin {
-        cos: T::ONE + v * horner(v, T::TABLE.cos_turn),
+        cos: T::ONE + v * sum(v, T::TABLE.cos_turn),
         sin: arg * slope.hi + arg * (slope.lo + bend),
     }
 }
 
-/// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8.
+/// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8: of a sample, which waits for its last word.
 #[inline(always)]
 pub(crate) fn at_quadrant<T: Native>(quadrant: u32, x: T) -> CosSin<T> {
-    into_quadrant(quadrant, eighth(x, x, T::CONSTANTS.two_pi, T::ONE))
+    into_quadrant(quadrant, eighth(x, x, T::CONSTANTS.two_pi, T::ONE, by_twos))
 }
 
 /// The direction `at`, turned on by `quadrant` right angles.
@@ -65,7 +72,7 @@ pub(crate) fn nearest_quarter<T: Native>(u: T) -> (u32, T) {
 #[inline(always)]
 pub(crate) fn at_turn<T: Native>(u: T) -> CosSin<T> {
     let (quadrant, x) = nearest_quarter(u);
-    at_quadrant(quadrant, x)
+    into_quadrant(quadrant, eighth(x, x, T::CONSTANTS.two_pi, T::ONE, horner))
 }
 
 /// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ 1/2: cos is that of the angle from the axis.
@@ -74,7 +81,7 @@ pub(crate) fn half_turn<T: Native>(p: T) -> CosSin<T> {
     let d = T::HALF - p;
     // The argument stays p: half a subnormal p would lose its last bit.
     let arg = if p < d { p } else { d };
-    let CosSin { cos, sin } = eighth(arg * T::HALF, arg, T::CONSTANTS.pi, T::HALF);
+    let CosSin { cos, sin } = eighth(arg * T::HALF, arg, T::CONSTANTS.pi, T::HALF, horner);
     let (cos, sin) = T::swap_if_odd((p - d).sign_bit(), cos, sin);
     CosSin { cos, sin }
 }

@@ -15,7 +15,7 @@ pub(crate) fn tail(n: u128) -> f64 {
     if BY_SUMS {
         summed(n)
     } else {
-        half_more(n) * power_of_two(-128)
+        down::<128>(half_more(n))
     }
 }
 
@@ -59,8 +59,14 @@ pub(crate) fn tail_of_half(n: u64) -> f64 {
         let high = f64::from_bits(HIGH | odd >> 32) - f64::from_bits(HIGH);
         high + (f64::from_bits(LOW | odd & 0xFFFF_FFFF) - f64::from_bits(LOW))
     } else {
-        odd as f64 * power_of_two(-65)
+        down::<65>(odd as f64)
     }
+}
+
+/// x·2⁻ᴺ for |x| ≥ ½: in the exponent, since a product may be a routine.
+#[inline(always)]
+fn down<const N: u64>(x: f64) -> f64 {
+    f64::from_bits(x.to_bits().wrapping_sub(N << 52))
 }
 
 /// n + ½ for n < 2¹²⁷, rounded once, for 32-bit processors.
@@ -106,7 +112,7 @@ pub(crate) fn turn(bits: u64) -> (u32, f64) {
 
 #[inline(always)]
 fn converted_turn(bits: u64) -> f64 {
-    parts_of_turn(bits).1 as f64 * power_of_two(-65)
+    down::<65>(parts_of_turn(bits).1 as f64)
 }
 
 #[inline(always)]
