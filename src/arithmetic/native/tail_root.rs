@@ -81,12 +81,13 @@ impl<T: Native> TailRoot<T> {
     }
 }
 
-/// 2ʳ − 1, r = `lead` + `rest` and |r| ≤ ½ or little more: of `lead` what a sum would round counts.
+/// 2ʳ − 1, r = `lead` + `rest` and |r| ≤ ½ or little more: its first term's leading digits exact.
 #[inline(always)]
 fn exp2_m1<T: Native>(lead: T, rest: T) -> T {
-    let r = lead + rest;
-    let ln_2 = T::CONSTANTS.ln_2.hi;
-    lead * ln_2 + (rest * ln_2 + r * r * by_twos(r, T::TABLE.exp2_bend))
+    let Pair { hi: ln_2, lo } = T::TABLE.ln_2;
+    let (r, head) = (lead + rest, lead.leading_half());
+    let bend = r * r * by_twos(r, T::TABLE.exp2_bend);
+    head * ln_2 + (((lead - head) + rest) * ln_2 + (r * lo + bend))
 }
 
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as f − f²/2 + s(f²/2 + 2s²/3 + …), s = f/(2 + f).
