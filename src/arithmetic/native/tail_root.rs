@@ -21,7 +21,6 @@ pub struct TailRoot<T> {
     rest: T,
     /// 2/n · log₂ e.
     slope: T,
-    slope_rest: T,
     /// `up` = −2/n · 4ⁱ, `down` = 2⁻ⁱ: sin²θ itself may underflow.
     up: T,
     down: T,
@@ -33,12 +32,10 @@ impl<T: Native> TailRoot<T> {
         let share = Pair::from_value(two).div(n);
         let head = share.hi.exponent_factor();
         let (m, e) = n.hi.split(T::ONE);
-        let slope = share.div(T::CONSTANTS.ln_2);
         TailRoot {
             head,
             rest: (share.hi - head) + share.lo,
-            slope: slope.hi,
-            slope_rest: slope.lo,
+            slope: share.div(T::CONSTANTS.ln_2).value(),
             up: -two / m * T::exp2(60i32.wrapping_sub(e & 1)),
             down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
@@ -52,11 +49,10 @@ impl<T: Native> TailRoot<T> {
         let e = T::from_i32(e.wrapping_sub(T::ROOT_EXPONENT));
         // What rounding took from an upper tail beyond ½: for it, e is 0 or −1.
         let lost = (T::ONE - upper) - lower;
-        let lost = lost + T::select(upper < T::ROOT_HALF, lost, T::ZERO);
-        let ln = ln_1p((m - T::ONE) + lost);
+        let ln = ln_1p((m - T::ONE) + lost * (T::ONE - e));
         let lead = e * self.head;
         let near = ln * self.slope;
-        let rest = ln * self.slope_rest + e * self.rest;
+        let rest = e * self.rest;
         let y = lead + near;
         let (whole, n) = y.nearest();
         let lead = (lead - whole) + near;
