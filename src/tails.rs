@@ -41,8 +41,8 @@ impl<T: Scalar> Tails<T> {
         Tails { lower, upper }
     }
 
-    /// [`from_nearer`](Tails::from_nearer) for p > 0 and a random side. Sums leave numbers where they
-    /// are; where a sum is no routine, that takes less time than masks.
+    /// [`from_nearer`](Tails::from_nearer) for p > 0 and a random side, by sums: numbers stay in
+    /// their registers, which masks take them out of.
     #[inline(always)]
     pub(crate) fn from_side(p: T, is_upper: bool) -> Self {
         if !cfg!(target_pointer_width = "64") {

@@ -21,7 +21,6 @@ pub struct TailRoot<T> {
     rest: T,
     /// 2/n · log₂ e.
     slope: T,
-    slope_rest: T,
     /// `up` = −2/n · 4ⁱ, `down` = 2⁻ⁱ: sin²θ itself may underflow.
     up: T,
     down: T,
@@ -33,12 +32,10 @@ impl<T: Native> TailRoot<T> {
         let share = Pair::from_value(two).div(n);
         let head = share.hi.exponent_factor();
         let (m, e) = n.hi.split(T::ONE);
-        let slope = share.div(T::CONSTANTS.ln_2);
         TailRoot {
             head,
             rest: (share.hi - head) + share.lo,
-            slope: slope.hi,
-            slope_rest: slope.lo,
+            slope: share.div(T::CONSTANTS.ln_2).value(),
             up: -two / m * T::exp2(60i32.wrapping_sub(e & 1)),
             down: T::exp2((-30i32).wrapping_sub(e >> 1)),
         }
@@ -52,11 +49,10 @@ impl<T: Native> TailRoot<T> {
         let e = T::from_i32(e.wrapping_sub(T::ROOT_EXPONENT));
         // What rounding took from an upper tail beyond ½: for it, e is 0 or −1.
         let lost = (T::ONE - upper) - lower;
-        let lost = lost + T::select(upper < T::ROOT_HALF, lost, T::ZERO);
-        let ln = ln_1p((m - T::ONE) + lost);
+        let ln = ln_1p((m - T::ONE) + lost * (T::ONE - e));
         let lead = e * self.head;
         let near = ln * self.slope;
-        let rest = ln * self.slope_rest + e * self.rest;
+        let rest = e * self.rest;
         let y = lead + near;
         let (whole, n) = y.nearest();
         let lead = (lead - whole) + near;
@@ -81,12 +77,13 @@ impl<T: Native> TailRoot<T> {
     }
 }
 
-/// 2ʳ − 1, r = `lead` + `rest` and |r| ≤ ½ or little more: of `lead` what a sum would round counts.
+/// 2ʳ − 1, r = `lead` + `rest` and |r| ≤ ½ or little more: its first term's leading digits exact.
 #[inline(always)]
 fn exp2_m1<T: Native>(lead: T, rest: T) -> T {
-    let r = lead + rest;
-    let ln_2 = T::CONSTANTS.ln_2.hi;
-    lead * ln_2 + (rest * ln_2 + r * r * by_twos(r, T::TABLE.exp2_bend))
+    let Pair { hi: ln_2, lo } = T::TABLE.ln_2;
+    let (r, head) = (lead + rest, lead.leading_half());
+    let bend = r * r * by_twos(r, T::TABLE.exp2_bend);
+    head * ln_2 + (((lead - head) + rest) * ln_2 + (r * lo + bend))
 }
 
 /// ln(1 + f) for √½ ≤ 1 + f ≤ √2, as f − f²/2 + s(f²/2 + 2s²/3 + …), s = f/(2 + f).
