@@ -51,19 +51,6 @@ impl Bits for u128 {
     }
 }
 
-/// As wide as its number already: all bits are the upper half.
-impl Bits for u32 {
-    type Half = u32;
-    #[inline(always)]
-    fn split(self) -> [u32; 2] {
-        [self, 0]
-    }
-    #[inline(always)]
-    fn join([upper, _]: [u32; 2]) -> u32 {
-        upper
-    }
-}
-
 /// A number type of the public interface.
 pub trait Tier: Scalar {
     /// The arithmetic of the quick phase, which is tried first.
@@ -87,11 +74,17 @@ pub trait Tier: Scalar {
     fn to_base(self) -> Self::Base;
     fn from_base(x: Self::Base) -> Self;
 
-    /// Random bits behind one [`Tails`].
-    type TailBits: Bits;
+    /// Random bits behind one [`Tails`], or behind two uniforms, each of half the bits:
+    /// probabilities or azimuths.
+    type TailBits: Bits<Half = Self::TurnBits>;
     /// Random bits behind one azimuth.
     type TurnBits: Copy + Default;
     fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TailBits, R::Error>;
+    /// Those of two uniforms: more words where a tail does not read all the bits.
+    #[inline(always)]
+    fn try_draw_pair_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TailBits, R::Error> {
+        Self::try_draw_tail_bits(rng)
+    }
     fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TurnBits, R::Error>;
     #[inline(always)]
     fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits {
@@ -111,10 +104,6 @@ pub trait Tier: Scalar {
         let (p, is_upper) = Self::nearer_from_bits(bits);
         Tails::from_nearer(p, is_upper)
     }
-    /// One word for two uniforms, each of half its bits: probabilities or azimuths.
-    ///
-    /// `None` where a half is too short for either.
-    fn halves(bits: Self::TailBits) -> Option<[Self::TurnBits; 2]>;
     /// A probability of half the bits.
     fn tails_from_half(bits: Self::TurnBits) -> Tails<Self>;
     /// (cos φ, sin φ) of an azimuth in either arithmetic.
