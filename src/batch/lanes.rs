@@ -86,7 +86,7 @@ impl<B: Bits> Lanes for Words<'_, B> {
 
     #[inline(always)]
     fn item([upper, lower]: &Self::Block, i: usize) -> B {
-        B::join([upper[i], lower[i]])
+        B::join(upper[i], lower[i])
     }
 }
 
@@ -94,7 +94,7 @@ impl<B: Bits> Lanes for Words<'_, B> {
 fn halves<B: Bits>(words: &[B; BLOCK]) -> [[B::Half; BLOCK]; 2] {
     let [mut upper, mut lower] = [[B::Half::default(); BLOCK]; 2];
     for i in 0..BLOCK {
-        [upper[i], lower[i]] = words[i].split();
+        (upper[i], lower[i]) = words[i].split();
     }
     [upper, lower]
 }

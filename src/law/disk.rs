@@ -170,7 +170,7 @@ impl<T: Real> Planar<T> for Disk {
 
     #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
-        let [u, phi] = bits.split();
+        let (u, phi) = bits.split();
         let u = T::tails_from_half(u);
         T::rounded(
             Margin::Relative,

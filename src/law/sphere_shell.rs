@@ -199,7 +199,8 @@ impl<T: Real> Spatial<T> for SphereShell {
     #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
         let azimuth = Azimuth::<T>::Word(phi);
-        let [u, v] = theta.split().map(T::tails_from_half);
+        let (u, v) = theta.split();
+        let (u, v) = (T::tails_from_half(u), T::tails_from_half(v));
         T::rounded(
             Margin::Relative,
             #[inline(always)]
@@ -217,7 +218,8 @@ impl<T: Real> Spatial<T> for SphereShell {
 
     #[inline(always)]
     fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
-        let [u, v] = theta.split().map(T::tails_from_half);
+        let (u, v) = theta.split();
+        let (u, v) = (T::tails_from_half(u), T::tails_from_half(v));
         CosSin::from_array(T::rounded(
             Margin::Relative,
             #[inline(always)]

@@ -22,19 +22,20 @@ pub enum Margin {
 /// them.
 pub trait Bits: Copy + Default {
     type Half: Copy + Default;
-    /// The upper half, then the lower.
-    fn split(self) -> [Self::Half; 2];
-    fn join(halves: [Self::Half; 2]) -> Self;
+    /// The upper half, then the lower. No array: one of two words is handed on as one number,
+    /// which a compiler turns around and takes apart.
+    fn split(self) -> (Self::Half, Self::Half);
+    fn join(upper: Self::Half, lower: Self::Half) -> Self;
 }
 
 impl Bits for u64 {
     type Half = u32;
     #[inline(always)]
-    fn split(self) -> [u32; 2] {
-        [(self >> 32) as u32, self as u32]
+    fn split(self) -> (u32, u32) {
+        ((self >> 32) as u32, self as u32)
     }
     #[inline(always)]
-    fn join([upper, lower]: [u32; 2]) -> u64 {
+    fn join(upper: u32, lower: u32) -> u64 {
         u64::from(upper) << 32 | u64::from(lower)
     }
 }
@@ -42,11 +43,11 @@ impl Bits for u64 {
 impl Bits for u128 {
     type Half = u64;
     #[inline(always)]
-    fn split(self) -> [u64; 2] {
-        [(self >> 64) as u64, self as u64]
+    fn split(self) -> (u64, u64) {
+        ((self >> 64) as u64, self as u64)
     }
     #[inline(always)]
-    fn join([upper, lower]: [u64; 2]) -> u128 {
+    fn join(upper: u64, lower: u64) -> u128 {
         u128::from(upper) << 64 | u128::from(lower)
     }
 }
