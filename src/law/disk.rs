@@ -1,8 +1,8 @@
 //! Uniform by area in a disk.
 
+use super::Planar;
 use super::formulas::{Formulas, Own, Parameterless, variance};
 use super::measure::{Measure, Point};
-use super::Planar;
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;

@@ -87,9 +87,13 @@ impl Tier for Fast<f32> {
     }
 
     #[inline(always)]
+    fn tails_from_bits(bits: u64) -> Tails<Self> {
+        Self::tails_from_half((bits >> 32) as u32)
+    }
+
+    #[inline(always)]
     fn tails_from_half(bits: u32) -> Tails<Self> {
-        let (p, is_upper) = uniform::tail(bits);
-        Tails::from_nearer(Fast(p), is_upper)
+        Tails::from_array(uniform::tails(bits).map(Fast))
     }
 
     #[inline(always)]

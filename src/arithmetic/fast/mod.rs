@@ -11,6 +11,7 @@ pub(crate) mod kepler;
 pub(crate) mod kernel;
 pub(crate) mod power;
 pub(crate) mod root;
+pub(crate) mod tail_root;
 pub(crate) mod uniform;
 
 #[cfg(test)]

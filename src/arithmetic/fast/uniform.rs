@@ -14,6 +14,18 @@ pub(crate) fn tail(bits: u32) -> (f32, bool) {
     (tail_of_half(bits), bits >> 31 != 0)
 }
 
+/// Both tails of the same word, the lower first; the farther, cut off, is put together from its
+/// bits, since a difference may be a routine.
+#[inline(always)]
+pub(crate) fn tails(bits: u32) -> [f32; 2] {
+    let (p, is_upper) = tail(bits);
+    let (p, q) = (p.to_bits(), leading_31(!bits | 1 << 31, -1).to_bits());
+    [
+        f32::from_bits(if is_upper { q } else { p }),
+        f32::from_bits(if is_upper { p } else { q }),
+    ]
+}
+
 /// (cos, sin) of the azimuth (bits + ½)·2⁻³² turns.
 #[inline]
 pub(crate) fn turn(bits: u32) -> (f32, f32) {

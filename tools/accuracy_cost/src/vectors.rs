@@ -72,12 +72,10 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
 /// is none of vectors.
 fn no_vectors(list: &[Contender], counted: &[f64]) -> Vec<String> {
     let all = || list.iter().zip(counted);
-    // A generator's words come one after the other; near the axis ln cos θ is `libm`'s log1p, which
-    // branches, as do the coarse type's logarithms and powers.
-    let branches = |c: &Contender| match c.law {
-        Id::CosPower(_) => c.name != c.format,
-        Id::Disk | Id::CircleShell => c.operation == "ln_pdf_slice",
-        _ => c.operation == "ln_pdf_slice" && c.name != c.format,
+    // A generator's words come one after the other; near the axis the plain types' ln cos θ is
+    // `libm`'s log1p, which branches.
+    let branches = |c: &Contender| {
+        matches!(c.law, Id::Disk | Id::CircleShell) && c.operation == "ln_pdf_slice"
     };
     let vectors = |c: &Contender| c.operation != "sample_slice" && !branches(c);
     let wide = all().filter(|(c, _)| c.width == Some(Width::Avx2) && vectors(c));
@@ -113,6 +111,12 @@ const VECTORS: &[(&str, f64)] = &[
     ("CosPower(20) warp_direction_slice f32 AVX2", 31.9),
     ("CosPower(20) sample_from_bits_slice f32 SSE2", 92.8),
     ("CosPower(20) sample_from_bits_slice f32 AVX2", 40.3),
+    ("CosPower(20) warp_direction_slice Fast<f32> SSE2", 69.0),
+    ("CosPower(20) warp_direction_slice Fast<f32> AVX2", 24.7),
+    ("CosPower(20) pdf_slice Fast<f32> SSE2", 80.0),
+    ("CosPower(20) pdf_slice Fast<f32> AVX2", 28.6),
+    ("CosPower(20) density_slice Fast<f32> SSE2", 55.5),
+    ("CosPower(20) density_slice Fast<f32> AVX2", 20.2),
     ("Disk warp_slice f32 SSE2", 61.3),
     ("Disk warp_slice f32 AVX2", 29.1),
 ];
