@@ -11,7 +11,8 @@ use crate::arithmetic::native::sqrt::unusual;
 use crate::scalar::Scalar;
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
-/// (m, e) with x = m·2ᵉ, m from √½ to √2, for x > 0; by branches for normal x alone.
+/// (m, e) with x = m·2ᵉ, m from √½ to √2, for normal x > 0;
+/// by selects, subnormal x is made normal first.
 #[inline(always)]
 pub(crate) fn split<const SELECTS: bool>(x: f32) -> (f32, i32) {
     let tiny = SELECTS & (x < f32::MIN_POSITIVE);
@@ -23,7 +24,7 @@ pub(crate) fn split<const SELECTS: bool>(x: f32) -> (f32, i32) {
     .to_bits();
     let e = (bits.wrapping_sub(FRAC_1_SQRT_2.to_bits()) as i32) >> 23;
     let m = f32::from_bits(bits.wrapping_sub((e << 23) as u32));
-    (m, e.wrapping_sub(if tiny { 24 } else { 0 }))
+    (m, e)
 }
 
 /// e as a number; on x86-64 without a conversion, which waits for what its register held.
@@ -36,6 +37,9 @@ pub(crate) fn float(e: i32) -> f32 {
         e as f32
     }
 }
+
+/// ln [`UP`].
+const LN_UP: f32 = 24.0 * LN_2;
 
 /// e ln 2 + 2 atanh z.
 #[inline(always)]
@@ -51,7 +55,15 @@ pub(crate) fn ln(x: f32) -> f32 {
 
 #[cold]
 fn ln_of_unusual(x: f32) -> f32 {
-    ln_by::<true>(x)
+    if x == 0.0 {
+        f32::NEG_INFINITY
+    } else if x < 0.0 {
+        f32::NAN
+    } else if x < f32::MIN_POSITIVE {
+        ln(x * UP) - LN_UP
+    } else {
+        x
+    }
 }
 
 #[inline(always)]
@@ -63,13 +75,14 @@ pub(super) fn ln_by<const SELECTS: bool>(x: f32) -> f32 {
     at_ends::<SELECTS>(x, sum((m - 1.0) / (m + 1.0), e))
 }
 
-/// `ln`, or that of 0, a negative number, ∞ or NaN.
+/// `ln`, less that of [`UP`] where x is subnormal; or that of 0, a negative number, ∞ or NaN.
 #[inline(always)]
 fn at_ends<const SELECTS: bool>(x: f32, ln: f32) -> f32 {
     if !SELECTS {
         return ln;
     }
     let below = f32::select(x < 0.0, f32::NAN, f32::NEG_INFINITY);
+    let ln = ln - f32::select(x < f32::MIN_POSITIVE, LN_UP, 0.0);
     let ln = f32::select(x > 0.0, ln, below);
     f32::select(x < f32::INFINITY, ln, x)
 }
@@ -142,11 +155,17 @@ impl Exponent {
 
 #[cold]
 fn exp2_beyond(y: f32) -> f32 {
-    exp2_by::<true>(y)
+    if y.is_nan() {
+        y
+    } else if y.is_sign_negative() {
+        0.0
+    } else {
+        f32::INFINITY
+    }
 }
 
 /// 2ʸ; 0 below y = −126, where it would be subnormal.
-#[inline(always)]
+#[inline]
 fn exp2_by<const SELECTS: bool>(y: f32) -> f32 {
     let exponent = Exponent::of(y);
     if !SELECTS {
@@ -169,24 +188,42 @@ pub(crate) fn exp_times(a: f32, c: f32) -> f32 {
 
 #[cold]
 fn far_exp_times(a: f32, c: f32) -> f32 {
-    exp_times_by::<true>(a, c)
+    lifted::<false>(
+        a,
+        c,
+        if a.is_sign_negative() {
+            LIFT_DOWN
+        } else {
+            LIFT_UP
+        },
+    )
+}
+
+/// A part, and the logarithm of two of its reciprocal.
+type Lift = (f32, f32);
+const LIFT_DOWN: Lift = (power_of_two(-76), 152.0);
+const LIFT_UP: Lift = (power_of_two(76), -152.0);
+
+/// c·eᵃ with a power of two taken from the exponential and put to it in two parts, of which the
+/// first keeps the product in range.
+#[inline(always)]
+fn lifted<const SELECTS: bool>(a: f32, c: f32, (part, shift): Lift) -> f32 {
+    c * part * exp2_by::<SELECTS>(a * LOG2_E + shift) * part
 }
 
 #[inline(always)]
 pub(super) fn exp_times_by<const SELECTS: bool>(a: f32, c: f32) -> f32 {
     let near = a.abs() < 86.0;
-    if !SELECTS {
-        return if near {
-            c * exp2_by::<false>(a * LOG2_E)
-        } else {
-            far_exp_times(a, c)
-        };
+    if SELECTS {
+        let far = |down, up| f32::select(a < 0.0, down, up);
+        let part = f32::select(near, 1.0, far(LIFT_DOWN.0, LIFT_UP.0));
+        let shift = f32::select(near, 0.0, far(LIFT_DOWN.1, LIFT_UP.1));
+        lifted::<true>(a, c, (part, shift))
+    } else if near {
+        c * exp2_by::<false>(a * LOG2_E)
+    } else {
+        far_exp_times(a, c)
     }
-    // 2¹⁵² or its reciprocal in two parts, of which the first keeps the product in range.
-    let part = f32::select(a < 0.0, power_of_two(-76), power_of_two(76));
-    let part = f32::select(near, 1.0, part);
-    let shift = f32::select(near, 0.0, 152.0).copysign(-a);
-    c * part * exp2_by::<true>(a * LOG2_E + shift) * part
 }
 
 /// 1 − eˣ for x ≤ 0.

@@ -9,6 +9,7 @@ use super::fixed::{at_most_one, horner, leading_31};
 use super::power::{Exponent, float, split};
 use super::root::{BY_SELECTS, UP, choose};
 use crate::Tails;
+use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::sqrt::unusual;
 use crate::scalar::Scalar;
 use core::f32::consts::{LN_2, LOG2_E};
@@ -56,9 +57,16 @@ impl TailRoot {
         }
         let log = ln_up::<SELECTS>(lower, upper);
         let y = log * self.slope;
-        // Of a subnormal tail 2ʸ may be subnormal too.
-        let exponent = Exponent::of(y).normal();
-        let cos = at_most_one(exponent.power());
+        let exponent = Exponent::of(y);
+        let power = if SELECTS {
+            // Of a subnormal tail 2ʸ may be subnormal too.
+            let tiny = upper < f32::MIN_POSITIVE;
+            let lifted = Exponent::of(y + f32::select(tiny, 64.0, 0.0));
+            lifted.normal().power() * f32::select(tiny, power_of_two(-64), 1.0)
+        } else {
+            exponent.normal().power()
+        };
+        let cos = at_most_one(power);
         let near = y > -0.5;
         let part = choose::<SELECTS>(
             near,
@@ -81,7 +89,11 @@ impl TailRoot {
 
     #[cold]
     fn at_unusual(self, p: Tails<f32>) -> (f32, f32) {
-        self.by::<true>(p)
+        if p.upper() > 0.0 {
+            self.by::<true>(p)
+        } else {
+            (p.upper(), p.lower())
+        }
     }
 }
 
@@ -90,7 +102,8 @@ impl TailRoot {
 #[inline(always)]
 fn ln_up<const SELECTS: bool>(lower: f32, upper: f32) -> f32 {
     let (m, e) = split::<SELECTS>(upper);
+    let tiny = SELECTS & (upper < f32::MIN_POSITIVE);
     let less_one = choose::<SELECTS>(e == 0, || -lower, || m - 1.0);
     let z = less_one / (f32::from_bits(m.to_bits().wrapping_sub(24 << 23)) + DOWN);
-    z * horner(z * z, &LN_UP) + float(e) * (LN_2 * UP)
+    z * horner(z * z, &LN_UP) + float(e.wrapping_sub(if tiny { 24 } else { 0 })) * (LN_2 * UP)
 }

@@ -197,6 +197,14 @@ fn tails() {
         assert_eq!(p, ((2.0 * n + 1.0) / 8589934592.0) as f32);
         assert_eq!(upper, bits >= 1 << 31);
         assert!(p > 0.0 && p <= 0.5);
+        let [lower, farther] = if upper { [1, 0] } else { [0, 1] }.map(|i| uniform::tails(bits)[i]);
+        assert_eq!(lower, p);
+        // Cut off, and p itself is rounded.
+        let off = (1.0 - f64::from(p)) - f64::from(farther);
+        assert!(
+            (-0.5f64.powi(25)..0.5f64.powi(23)).contains(&off),
+            "{bits:#x}: {off:e}"
+        );
     }
 }
 

@@ -3,6 +3,7 @@
 use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
 use super::root::BY_SELECTS;
+use crate::arithmetic::native::turn::merge_if_odd;
 use crate::arithmetic::native::uniform::f32::{self, tail_of_half};
 
 /// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n +
@@ -42,10 +43,15 @@ pub(crate) fn turn(bits: u32) -> (f32, f32) {
         (rest >> 1 | 1) as f32 * leading_31(share, -31)
     }
     .to_bits();
-    let odd = quadrant & 1 != 0;
-    let (cos, sin) = (if odd { sin } else { cos }, if odd { cos } else { sin });
-    let cos_sign = bits.wrapping_add(3 << 29) & (1 << 31);
-    let sin_sign = bits.wrapping_add(1 << 29) & (1 << 31);
+    let (cos, sin) = if BY_SELECTS {
+        // In half the instructions of masks: both are integers here.
+        let odd = quadrant & 1 != 0;
+        (if odd { sin } else { cos }, if odd { cos } else { sin })
+    } else {
+        merge_if_odd(quadrant, cos, sin)
+    };
+    let cos_sign = (quadrant.wrapping_add(1) << 30) & (1 << 31);
+    let sin_sign = (quadrant << 30) & (1 << 31);
     (
         f32::from_bits(cos ^ cos_sign),
         f32::from_bits(sin ^ sin_sign),

@@ -111,12 +111,6 @@ const VECTORS: &[(&str, f64)] = &[
     ("CosPower(20) warp_direction_slice f32 AVX2", 31.9),
     ("CosPower(20) sample_from_bits_slice f32 SSE2", 92.8),
     ("CosPower(20) sample_from_bits_slice f32 AVX2", 40.3),
-    ("CosPower(20) warp_direction_slice Fast<f32> SSE2", 69.0),
-    ("CosPower(20) warp_direction_slice Fast<f32> AVX2", 24.7),
-    ("CosPower(20) pdf_slice Fast<f32> SSE2", 80.0),
-    ("CosPower(20) pdf_slice Fast<f32> AVX2", 28.6),
-    ("CosPower(20) density_slice Fast<f32> SSE2", 55.5),
-    ("CosPower(20) density_slice Fast<f32> AVX2", 20.2),
     ("Disk warp_slice f32 SSE2", 61.3),
     ("Disk warp_slice f32 AVX2", 29.1),
 ];
