@@ -10,8 +10,8 @@
 //! | `f64` | two `next_u64` (128) | 2⁻¹²⁹ | 2⁻¹²⁹ to ½ | to nearest; exact below 2⁻⁷⁶ |
 //!
 //! Samples of [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell) need two uniforms, and
-//! take each from one half of those bits; for the coarse type they draw one `next_u64`. A half reaches
-//! down to 2⁻³³ (32-bit types) or 2⁻⁶⁵ (`f64`), and so the law's tails down to 2⁻⁴⁹ or 2⁻⁹⁷.
+//! take each from one half of those bits; for the coarse type they draw one `next_u64`. A half
+//! reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵), and so the law's tails down to 2⁻⁴⁹ (2⁻⁹⁷).
 //!
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
