@@ -6,11 +6,12 @@
 //! | type | words (bits) | p lies on the odd multiples of | p from | rounding to the format |
 //! |---|---|---|---|---|
 //! | `f32` | one `next_u64` (64) | 2⁻⁶⁵ | 2⁻⁶⁵ to ½ | to nearest; exact below 2⁻⁴¹ |
+//! | the coarse type | one `next_u32` (32), the upper half of 64 bits | 2⁻³³ | 2⁻³³ to ½ | to nearest; 1 − p is cut off |
 //! | `f64` | two `next_u64` (128) | 2⁻¹²⁹ | 2⁻¹²⁹ to ½ | to nearest; exact below 2⁻⁷⁶ |
 //!
 //! Samples of [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell) need two uniforms, and
-//! take each from one half of those bits. A half reaches down to 2⁻³³ (`f32`) or 2⁻⁶⁵ (`f64`), and
-//! so the law's tails down to 2⁻⁴⁹ or 2⁻⁹⁷.
+//! take each from one half of those bits; for the coarse type they draw one `next_u64`. A half
+//! reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵), and so the law's tails down to 2⁻⁴⁹ (2⁻⁹⁷).
 //!
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
@@ -20,7 +21,7 @@ use crate::number::tier::Tier;
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
-/// The random bits behind one [`Tails`]: `u64` for `f32`, `u128` for `f64`.
+/// The random bits behind one [`Tails`]: `u64` for 32-bit types, `u128` for `f64`.
 pub type TailBits<T> = <T as Tier>::TailBits;
 
 /// The random bits behind one azimuth: `u32` for `f32`, `u64` for `f64`.

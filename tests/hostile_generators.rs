@@ -9,10 +9,9 @@ use kit::stats::claim::Claim;
 use kit::stats::words::{Source, Words, hostile};
 use kit::{Drawn, Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw, TangentLaw};
 
-/// Words of one probability, of one azimuth, and of a direction with both.
-fn documented<T: Number>() -> [Drawn; 3] {
-    let (tail, turn) = (T::TAIL_WORDS, T::TURN_WORDS);
-    [tail, turn, plus(tail, turn)]
+/// Words of a direction in space.
+fn in_space<T: Number>(law: Id) -> Drawn {
+    plus(T::theta_words(law), T::TURN_WORDS)
 }
 
 fn plus(a: Drawn, b: Drawn) -> Drawn {
@@ -70,8 +69,7 @@ fn direction<T: Number>(case: &str, law: &impl Law<T>, at: CosSin<T>, length: f6
 struct Hostile;
 
 impl Hostile {
-    fn spatial<T: Number>(name: &str, law: &impl Spatial<T>) {
-        let [_, _, words] = documented::<T>();
+    fn spatial<T: Number>(name: &str, words: Drawn, law: &impl Spatial<T>) {
         let check = |case: &str, d: [T; 3]| {
             let [x, y, z] = d.map(Into::into);
             let sin = T::of(x.hypot(z));
@@ -106,7 +104,7 @@ impl Hostile {
         draw: impl Fn(Radius<T>, &mut Words<Source>) -> [T; N],
     ) {
         let share = match measure {
-            Measure::Area | Measure::Volume => documented::<T>()[0],
+            Measure::Area | Measure::Volume => T::TAIL_WORDS,
             _ => (0, 0),
         };
         let largest = T::of(T::LARGEST.into() * 0.25);
@@ -134,7 +132,7 @@ impl Hostile {
 impl<T: Number> LawVisitor<T> for Hostile {
     fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
         let claim = Claim::of(id, &law);
-        let [words, ..] = documented::<T>();
+        let words = T::theta_words(id);
         let sample = |rng: &mut Words<Source>| Planar::sample(&law, rng);
         drawn(
             &format!("{} sample", claim.name),
@@ -156,13 +154,13 @@ impl<T: Number> LawVisitor<T> for Hostile {
 
     fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
         let claim = Claim::of(id, &law);
-        Self::spatial(&claim.name, &law);
+        Self::spatial(&claim.name, in_space::<T>(id), &law);
     }
 
     fn tangent<L: TangentLaw<T>>(&mut self, id: Id, law: L) {
         let claim = Claim::of(id, &law);
-        Self::spatial(&claim.name, &law);
-        let [_, _, words] = documented::<T>();
+        let words = in_space::<T>(id);
+        Self::spatial(&claim.name, words, &law);
         Self::points(&claim.name, L::MEASURE, words, |rho, rng| {
             law.sample_point(rho, rng)
         });
@@ -170,19 +168,18 @@ impl<T: Number> LawVisitor<T> for Hostile {
 }
 
 fn uniforms<T: Number>() {
-    let [probability, azimuth, _] = documented::<T>();
     let inside = |case: &str, u: T| {
         assert!(u.into() > 0.0 && u.into() <= 1.0, "{case}: {u:?}");
     };
     drawn(
         "uniform::unit",
-        probability,
+        T::TAIL_WORDS,
         |rng| uniform::unit::<T, _>(rng),
         inside,
     );
     drawn(
         "uniform::tails",
-        probability,
+        T::TAIL_WORDS,
         |rng| uniform::tails(rng),
         |case, p: Tails<T>| {
             inside(case, p.lower());
@@ -191,7 +188,7 @@ fn uniforms<T: Number>() {
     );
     drawn(
         "uniform::azimuth",
-        azimuth,
+        T::TURN_WORDS,
         |rng| uniform::azimuth(rng),
         |case, at: CosSin<T>| {
             let length = norm([at.cos.into(), at.sin.into()]);

@@ -1,8 +1,6 @@
 //! What a batch reads, a block at a time: arrays of known length, over which loops become vectors.
 
-use crate::number::tier::{Bits, Tier};
-use core::marker::PhantomData;
-use rand_core::Rng;
+use crate::number::tier::Bits;
 
 /// Elements of a block.
 pub(super) const BLOCK: usize = 64;
@@ -88,7 +86,7 @@ impl<B: Bits> Lanes for Words<'_, B> {
 
     #[inline(always)]
     fn item([upper, lower]: &Self::Block, i: usize) -> B {
-        B::join([upper[i], lower[i]])
+        B::join(upper[i], lower[i])
     }
 }
 
@@ -96,23 +94,17 @@ impl<B: Bits> Lanes for Words<'_, B> {
 fn halves<B: Bits>(words: &[B; BLOCK]) -> [[B::Half; BLOCK]; 2] {
     let [mut upper, mut lower] = [[B::Half::default(); BLOCK]; 2];
     for i in 0..BLOCK {
-        [upper[i], lower[i]] = words[i].split();
+        (upper[i], lower[i]) = words[i].split();
     }
     [upper, lower]
 }
 
 /// The words that as many calls of `sample` of a law in the plane draw, in that order.
-pub(crate) struct PlanarDraws<'a, T, R: ?Sized>(&'a mut R, PhantomData<T>);
+pub(crate) struct PlanarDraws<D>(pub(crate) D);
 
-impl<'a, T, R: ?Sized> PlanarDraws<'a, T, R> {
-    pub(crate) fn new(rng: &'a mut R) -> Self {
-        PlanarDraws(rng, PhantomData)
-    }
-}
-
-impl<T: Tier, R: Rng + ?Sized> Lanes for PlanarDraws<'_, T, R> {
-    type Item = T::TailBits;
-    type Block = [[<T::TailBits as Bits>::Half; BLOCK]; 2];
+impl<B: Bits, D: FnMut() -> B> Lanes for PlanarDraws<D> {
+    type Item = B;
+    type Block = [[B::Half; BLOCK]; 2];
 
     #[inline(always)]
     fn len(&self) -> impl IntoIterator<Item = usize> {
@@ -121,34 +113,25 @@ impl<T: Tier, R: Rng + ?Sized> Lanes for PlanarDraws<'_, T, R> {
 
     #[inline(always)]
     fn block(&mut self, _: usize, len: usize) -> Self::Block {
-        let mut words = [T::TailBits::default(); BLOCK];
+        let mut words = [B::default(); BLOCK];
         for word in words.iter_mut().take(len) {
-            *word = T::draw_tail_bits(self.0);
+            *word = self.0();
         }
         halves(&words)
     }
 
     #[inline(always)]
-    fn item(block: &Self::Block, i: usize) -> T::TailBits {
+    fn item(block: &Self::Block, i: usize) -> B {
         Words::item(block, i)
     }
 }
 
 /// Those of a law in space: of θ, and of the azimuth.
-pub(crate) struct SpatialDraws<'a, T, R: ?Sized>(&'a mut R, PhantomData<T>);
+pub(crate) struct SpatialDraws<D>(pub(crate) D);
 
-impl<'a, T, R: ?Sized> SpatialDraws<'a, T, R> {
-    pub(crate) fn new(rng: &'a mut R) -> Self {
-        SpatialDraws(rng, PhantomData)
-    }
-}
-
-impl<T: Tier, R: Rng + ?Sized> Lanes for SpatialDraws<'_, T, R> {
-    type Item = (T::TailBits, T::TurnBits);
-    type Block = (
-        [[<T::TailBits as Bits>::Half; BLOCK]; 2],
-        [T::TurnBits; BLOCK],
-    );
+impl<B: Bits, A: Copy + Default, D: FnMut() -> (B, A)> Lanes for SpatialDraws<D> {
+    type Item = (B, A);
+    type Block = ([[B::Half; BLOCK]; 2], [A; BLOCK]);
 
     #[inline(always)]
     fn len(&self) -> impl IntoIterator<Item = usize> {
@@ -157,11 +140,10 @@ impl<T: Tier, R: Rng + ?Sized> Lanes for SpatialDraws<'_, T, R> {
 
     #[inline(always)]
     fn block(&mut self, _: usize, len: usize) -> Self::Block {
-        let mut theta = [T::TailBits::default(); BLOCK];
-        let mut phi = [T::TurnBits::default(); BLOCK];
+        let mut theta = [B::default(); BLOCK];
+        let mut phi = [A::default(); BLOCK];
         for (theta, phi) in theta.iter_mut().zip(&mut phi).take(len) {
-            *theta = T::draw_tail_bits(self.0);
-            *phi = T::draw_turn_bits(self.0);
+            (*theta, *phi) = self.0();
         }
         (halves(&theta), phi)
     }

@@ -1,18 +1,18 @@
 //! Uniform by area in a disk.
 
+use super::Planar;
 use super::formulas::{Formulas, Own, Parameterless, variance};
 use super::measure::{Measure, Point};
-use super::{Law, Planar};
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::number::tier::Margin;
+use crate::number::tier::{Bits, Margin};
 use crate::uniform::TailBits;
 use crate::{CosSin, Moments, Tails};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
 /// Direction of a point uniform **by area** in a disk tangent to the origin (paper 3.1).
 ///
@@ -164,11 +164,13 @@ impl Point for Disk {
 /// tail 1 − u is known too, from which cos²θ = (1 − u) + u sin²φ has all digits at both ends.
 impl<T: Real> Planar<T> for Disk {
     #[inline(always)]
+    fn try_draw_theta<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<TailBits<T>, R::Error> {
+        T::try_draw_pair_bits(rng)
+    }
+
+    #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
-        let Some([u, phi]) = T::halves(bits) else {
-            let CosSin { cos, sin } = Law::warp_tails(self, T::tails_from_bits(bits));
-            return [sin, cos];
-        };
+        let (u, phi) = bits.split();
         let u = T::tails_from_half(u);
         T::rounded(
             Margin::Relative,

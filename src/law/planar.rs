@@ -21,7 +21,7 @@ pub trait Planar<T: Real>: Law<T> {
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
-        self.sample_from_bits(T::draw_tail_bits(rng))
+        self.sample_from_bits(self.draw_theta(rng))
     }
 
     /// [`sample`](Planar::sample) with a generator that can fail: the same words in the same order.
@@ -30,7 +30,24 @@ pub trait Planar<T: Real>: Law<T> {
     /// The generator's first error, handed on; no word is drawn after it.
     #[inline]
     fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[T; 2], R::Error> {
-        Ok(self.sample_from_bits(T::try_draw_tail_bits(rng)?))
+        Ok(self.sample_from_bits(self.try_draw_theta(rng)?))
+    }
+
+    /// Draws the words that [`sample_from_bits`](Planar::sample_from_bits) makes θ of: what
+    /// [`sample`](Planar::sample) draws.
+    ///
+    /// # Errors
+    /// The generator's first error, handed on; no word is drawn after it.
+    #[inline(always)]
+    fn try_draw_theta<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<TailBits<T>, R::Error> {
+        T::try_draw_tail_bits(rng)
+    }
+
+    /// [`try_draw_theta`](Planar::try_draw_theta) of a generator that cannot fail.
+    #[inline(always)]
+    fn draw_theta<R: Rng + ?Sized>(&self, rng: &mut R) -> TailBits<T> {
+        let Ok(bits) = self.try_draw_theta(rng);
+        bits
     }
 
     /// The direction that [`sample`](Planar::sample) makes of the words it draws.
@@ -52,9 +69,8 @@ pub trait Planar<T: Real>: Law<T> {
     where
         T: Batch,
     {
-        let words = batch::PlanarDraws::<T, R>::new(rng);
         batch::map(
-            words,
+            batch::PlanarDraws(|| self.draw_theta(rng)),
             out,
             #[inline(always)]
             |bits| self.sample_from_bits(bits),

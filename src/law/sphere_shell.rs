@@ -12,10 +12,10 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::number::tier::Margin;
+use crate::number::tier::{Bits, Margin};
 use crate::uniform::{TailBits, TurnBits};
 use crate::{CosSin, Moments, Tails};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 
 /// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
 /// "sphere").
@@ -191,12 +191,15 @@ impl<T: Real> Spatial<T> for SphereShell {
     }
 
     #[inline(always)]
+    fn try_draw_theta<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<TailBits<T>, R::Error> {
+        T::try_draw_pair_bits(rng)
+    }
+
+    #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        let azimuth = Azimuth::Word(phi);
-        let Some(halves) = T::halves(theta) else {
-            return super::Law::warp_spherical(self, T::tails_from_bits(theta), azimuth);
-        };
-        let [u, v] = halves.map(T::tails_from_half);
+        let azimuth = Azimuth::<T>::Word(phi);
+        let (u, v) = theta.split();
+        let (u, v) = (T::tails_from_half(u), T::tails_from_half(v));
         T::rounded(
             Margin::Relative,
             #[inline(always)]
@@ -214,10 +217,8 @@ impl<T: Real> Spatial<T> for SphereShell {
 
     #[inline(always)]
     fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
-        let Some(halves) = T::halves(theta) else {
-            return super::Law::warp_tails(self, T::tails_from_bits(theta));
-        };
-        let [u, v] = halves.map(T::tails_from_half);
+        let (u, v) = theta.split();
+        let (u, v) = (T::tails_from_half(u), T::tails_from_half(v));
         CosSin::from_array(T::rounded(
             Margin::Relative,
             #[inline(always)]

@@ -6,7 +6,7 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f64 as uniform;
-use crate::number::tier::{Bits, Margin, Tier};
+use crate::number::tier::{Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::TryRng;
 
@@ -71,11 +71,6 @@ impl Tier for f64 {
     #[inline(always)]
     fn nearer_from_bits(bits: u128) -> (f64, bool) {
         (uniform::tail(bits << 1 >> 1), bits >> 127 != 0)
-    }
-
-    #[inline(always)]
-    fn halves(bits: u128) -> Option<[u64; 2]> {
-        Some(bits.split())
     }
 
     #[inline(always)]

@@ -42,7 +42,7 @@ impl Tier for Fast<f32> {
     type Base = f32;
 
     const UNIT_SLACK: f32 = 1.0 / 1024.0;
-    type TailBits = u32;
+    type TailBits = u64;
     type TurnBits = u32;
 
     #[inline(always)]
@@ -64,9 +64,15 @@ impl Tier for Fast<f32> {
         Fast(x)
     }
 
+    /// One word, the upper half; a tail reads no more.
     #[inline]
-    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u32, R::Error> {
-        rng.try_next_u32()
+    fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u64, R::Error> {
+        Ok(u64::from(rng.try_next_u32()?) << 32)
+    }
+
+    #[inline]
+    fn try_draw_pair_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<u64, R::Error> {
+        rng.try_next_u64()
     }
 
     #[inline]
@@ -75,19 +81,19 @@ impl Tier for Fast<f32> {
     }
 
     #[inline(always)]
-    fn nearer_from_bits(bits: u32) -> (Self, bool) {
-        let (p, is_upper) = uniform::tail(bits);
+    fn nearer_from_bits(bits: u64) -> (Self, bool) {
+        let (p, is_upper) = uniform::tail((bits >> 32) as u32);
         (Fast(p), is_upper)
     }
 
     #[inline(always)]
-    fn halves(_: u32) -> Option<[u32; 2]> {
-        None
+    fn tails_from_bits(bits: u64) -> Tails<Self> {
+        Self::tails_from_half((bits >> 32) as u32)
     }
 
     #[inline(always)]
     fn tails_from_half(bits: u32) -> Tails<Self> {
-        Self::tails_from_bits(bits)
+        Tails::from_array(uniform::tails(bits).map(Fast))
     }
 
     #[inline(always)]

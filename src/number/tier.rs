@@ -22,19 +22,20 @@ pub enum Margin {
 /// them.
 pub trait Bits: Copy + Default {
     type Half: Copy + Default;
-    /// The upper half, then the lower.
-    fn split(self) -> [Self::Half; 2];
-    fn join(halves: [Self::Half; 2]) -> Self;
+    /// The upper half, then the lower. No array: one of two words is handed on as one number,
+    /// which a compiler turns around and takes apart.
+    fn split(self) -> (Self::Half, Self::Half);
+    fn join(upper: Self::Half, lower: Self::Half) -> Self;
 }
 
 impl Bits for u64 {
     type Half = u32;
     #[inline(always)]
-    fn split(self) -> [u32; 2] {
-        [(self >> 32) as u32, self as u32]
+    fn split(self) -> (u32, u32) {
+        ((self >> 32) as u32, self as u32)
     }
     #[inline(always)]
-    fn join([upper, lower]: [u32; 2]) -> u64 {
+    fn join(upper: u32, lower: u32) -> u64 {
         u64::from(upper) << 32 | u64::from(lower)
     }
 }
@@ -42,25 +43,12 @@ impl Bits for u64 {
 impl Bits for u128 {
     type Half = u64;
     #[inline(always)]
-    fn split(self) -> [u64; 2] {
-        [(self >> 64) as u64, self as u64]
+    fn split(self) -> (u64, u64) {
+        ((self >> 64) as u64, self as u64)
     }
     #[inline(always)]
-    fn join([upper, lower]: [u64; 2]) -> u128 {
+    fn join(upper: u64, lower: u64) -> u128 {
         u128::from(upper) << 64 | u128::from(lower)
-    }
-}
-
-/// As wide as its number already: all bits are the upper half.
-impl Bits for u32 {
-    type Half = u32;
-    #[inline(always)]
-    fn split(self) -> [u32; 2] {
-        [self, 0]
-    }
-    #[inline(always)]
-    fn join([upper, _]: [u32; 2]) -> u32 {
-        upper
     }
 }
 
@@ -87,11 +75,17 @@ pub trait Tier: Scalar {
     fn to_base(self) -> Self::Base;
     fn from_base(x: Self::Base) -> Self;
 
-    /// Random bits behind one [`Tails`].
-    type TailBits: Bits;
+    /// Random bits behind one [`Tails`], or behind two uniforms, each of half the bits:
+    /// probabilities or azimuths.
+    type TailBits: Bits<Half = Self::TurnBits>;
     /// Random bits behind one azimuth.
     type TurnBits: Copy + Default;
     fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TailBits, R::Error>;
+    /// Those of two uniforms: more words where a tail does not read all the bits.
+    #[inline(always)]
+    fn try_draw_pair_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TailBits, R::Error> {
+        Self::try_draw_tail_bits(rng)
+    }
     fn try_draw_turn_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TurnBits, R::Error>;
     #[inline(always)]
     fn draw_tail_bits<R: Rng + ?Sized>(rng: &mut R) -> Self::TailBits {
@@ -111,10 +105,6 @@ pub trait Tier: Scalar {
         let (p, is_upper) = Self::nearer_from_bits(bits);
         Tails::from_side(p, is_upper)
     }
-    /// One word for two uniforms, each of half its bits: probabilities or azimuths.
-    ///
-    /// `None` where a half is too short for either.
-    fn halves(bits: Self::TailBits) -> Option<[Self::TurnBits; 2]>;
     /// A probability of half the bits.
     fn tails_from_half(bits: Self::TurnBits) -> Tails<Self>;
     /// (cos φ, sin φ) of an azimuth in either arithmetic.

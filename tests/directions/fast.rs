@@ -4,6 +4,7 @@ use coslobe::uniform::{azimuth_from_bits, tails_from_bits};
 use coslobe::{CosPower, CosSin, Fast, Law};
 use kit::catalogue::every_law;
 use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
+use std::f32::consts::FRAC_PI_2;
 
 fn wide<T: Number>(at: CosSin<T>) -> (f64, f64) {
     (at.cos.into(), at.sin.into())
@@ -12,7 +13,11 @@ fn wide<T: Number>(at: CosSin<T>) -> (f64, f64) {
 /// cos²+ sin² − 1 of one word's direction, if it lies above the horizon with a density to divide
 /// by.
 fn excess(law: &impl Law<Fast<f32>>, bits: u32) -> Option<f64> {
-    let at = law.warp_tails(tails_from_bits(bits));
+    let at = law.warp_tails(tails_from_bits(u64::from(bits) << 32));
+    excess_at(law, at, bits)
+}
+
+fn excess_at(law: &impl Law<Fast<f32>>, at: CosSin<Fast<f32>>, bits: u32) -> Option<f64> {
     let density = law.density(at).0;
     let (cos, sin) = wide(at);
     assert!(
@@ -51,6 +56,17 @@ fn every_tail(name: Id, law: &impl Law<Fast<f32>>, stride: usize) -> f64 {
     worst.0
 }
 
+/// Samples, of which some laws make θ of two words.
+fn pairs_of_words(name: Id, law: &impl Law<Fast<f32>>, at: impl Fn(u64) -> CosSin<Fast<f32>>) {
+    for upper in words_in_strides(0x0100_4001) {
+        for lower in words_in_strides(0x0100_8003) {
+            let excess = excess_at(law, at(u64::from(upper) << 32 | u64::from(lower)), lower);
+            let within = excess.is_some_and(|e| e.abs() <= SQUARE);
+            assert!(within, "{name}: {upper:#010x} {lower:#010x}: {excess:?}");
+        }
+    }
+}
+
 fn every_turn(stride: usize) -> f64 {
     let worst = words_in_strides(stride).fold(0.0, |worst: f64, bits| {
         let (cos, sin) = wide(azimuth_from_bits::<Fast<f32>>(bits));
@@ -73,10 +89,15 @@ struct Tails {
 
 impl LawVisitor<Fast<f32>> for Tails {
     fn planar<L: PlanarLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        pairs_of_words(id, &law, |bits| {
+            let [sin, cos] = law.sample_from_bits(bits);
+            CosSin { cos, sin }
+        });
         let worst = every_tail(id, &law, self.stride);
         self.planar = self.planar.max(worst);
     }
     fn spatial<L: SpatialLaw<Fast<f32>>>(&mut self, id: Id, law: L) {
+        pairs_of_words(id, &law, |bits| law.angle_from_bits(bits));
         let worst = every_tail(id, &law, self.stride);
         self.spatial = self.spatial.max(worst);
     }
@@ -122,26 +143,10 @@ fn fast_at_extreme_words() {
 }
 
 /// Angles beyond the support's end, and numbers that are no probability.
-const BEYOND: [f32; 8] = [
-    f32::from_bits(std::f32::consts::FRAC_PI_2.to_bits()),
-    1.6,
-    2.0,
-    3.2,
-    1e10,
-    1e38,
-    f32::MAX,
-    f32::INFINITY,
-];
-const IMPROBABLE: [f32; 8] = [
-    -1e-45,
-    -0.5,
-    -1.0,
-    1.0000001,
-    2.0,
-    f32::MAX,
-    f32::INFINITY,
-    f32::NEG_INFINITY,
-];
+const BEYOND: [f32; 8] = [FRAC_PI_2, 1.6, 2.0, 3.2, 1e10, 1e38, MAX, INF];
+const IMPROBABLE: [f32; 8] = [-1e-45, -0.5, -1.0, 1.0000001, 2.0, MAX, INF, -INF];
+const MAX: f32 = f32::MAX;
+const INF: f32 = f32::INFINITY;
 
 fn total(name: Id, law: &impl Law<Fast<f32>>, start: f32) {
     let nan = Fast(f32::NAN);

@@ -4,30 +4,20 @@
 use coslobe::rand_core::Rng;
 use coslobe::uniform::TailBits;
 use coslobe::{CosSin, Disk, Planar, Spatial, SphereShell};
+use kit::batch::{BatchNumber, BatchVisitor, every_batch_number};
 use kit::stats::words::pcg;
-use kit::{Id, Number};
-
-pub(crate) const LAWS: [Id; 2] = [Id::Disk, Id::SphereShell];
 
 const COUNT: usize = 50_000;
 /// Kolmogorov's λ, passed by chance in 10⁻⁵ of all cases.
 const LAMBDA: f64 = 2.47;
 
-trait Halves: Number {
-    /// A word of the leading bits of both.
-    fn word(upper: u64, lower: u64) -> TailBits<Self>;
-}
-
-impl Halves for f32 {
-    fn word(upper: u64, lower: u64) -> u64 {
-        upper >> 32 << 32 | lower >> 32
-    }
-}
-
-impl Halves for f64 {
-    fn word(upper: u64, lower: u64) -> u128 {
-        u128::from(upper) << 64 | u128::from(lower)
-    }
+/// A word of the leading bits of both.
+fn word<T: BatchNumber>(upper: u64, lower: u64) -> TailBits<T> {
+    let mut words = match size_of::<T>() {
+        4 => vec![upper >> 32 << 32 | lower >> 32],
+        _ => vec![lower, upper],
+    };
+    T::tail_bits(&mut || words.pop().expect("no more words than these"))
 }
 
 /// A nearer tail below 2^−`depth`, on the upper side or the lower.
@@ -49,7 +39,7 @@ fn uniform(what: &str, mut values: Vec<f64>) {
     assert!(worst < LAMBDA, "{what}: λ = {worst}");
 }
 
-fn disk<T: Halves>(e: i32) {
+fn disk<T: BatchNumber>(e: i32) {
     let what = format!("Disk {} below cos θ = 2^-{e}", T::NAME);
     let mut rng = pcg(&what);
     let edge = 2f64.powi(-e);
@@ -57,7 +47,7 @@ fn disk<T: Halves>(e: i32) {
     while cubes.len() < COUNT {
         let u = tail(true, 2 * e as u32, rng.next_u64());
         let phi = flat_azimuth(e as u32 + 2, rng.next_u64(), rng.next_u64());
-        let direction: [T; 2] = Disk.sample_from_bits(T::word(u, phi));
+        let direction: [T; 2] = Disk.sample_from_bits(word::<T>(u, phi));
         let [sin, cos]: [f64; 2] = direction.map(Into::into);
         if cos < edge {
             cubes.push((cos / edge).powi(3));
@@ -70,12 +60,12 @@ fn disk<T: Halves>(e: i32) {
 }
 
 /// Every nearer tail, in cos³ at the horizon and in sin² at the axis.
-fn shell<T: Halves>(e: i32) {
+fn shell<T: BatchNumber>(e: i32) {
     let what = format!("SphereShell {} 2^-{e}", T::NAME);
     let mut rng = pcg(&what);
     let depth = e as u32;
     let mut draw = |u: &dyn Fn(u64) -> u64, v: &dyn Fn(u64) -> u64| {
-        let bits = T::word(u(rng.next_u64()), v(rng.next_u64()));
+        let bits = word::<T>(u(rng.next_u64()), v(rng.next_u64()));
         let at: CosSin<T> = SphereShell.angle_from_bits(bits);
         let both: [f64; 2] = [at.cos, at.sin].map(Into::into);
         both
@@ -92,18 +82,22 @@ fn shell<T: Halves>(e: i32) {
     uniform(&what, all(&|noise| noise, &lower, &square(e - 1)));
 }
 
-#[test]
-fn tails_of_halves_f32() {
-    for e in [8, 10, 12] {
-        disk::<f32>(e);
-        shell::<f32>(e);
+struct Halves;
+
+impl BatchVisitor for Halves {
+    fn number<T: BatchNumber>(&mut self) {
+        let depths = match size_of::<T>() {
+            4 => &[8, 10, 12][..],
+            _ => &[8, 12, 20, 28],
+        };
+        for &e in depths {
+            disk::<T>(e);
+            shell::<T>(e);
+        }
     }
 }
 
 #[test]
-fn tails_of_halves_f64() {
-    for e in [8, 12, 20, 28] {
-        disk::<f64>(e);
-        shell::<f64>(e);
-    }
+fn tails_of_halves() {
+    every_batch_number(&mut Halves);
 }

@@ -51,7 +51,7 @@ impl Laws {
         let mut rng = words::pcg(&claim.name);
         examine(claim, self.n, || draw(&mut rng)).accepted();
         // Of two halves of a word: their tails are those of `halves`.
-        let in_halves = self.bits == 64 && halves::LAWS.contains(&id);
+        let in_halves = id.has_two_uniforms();
         for &depth in self.depths.iter().filter(|_| !in_halves) {
             examine_tail(
                 claim,

@@ -59,12 +59,12 @@ struct Points<'a, T> {
 }
 
 impl<T: Number> LawVisitor<T> for Points<'_, T> {
-    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
-        planar(&law, self.rho, self.words);
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        planar(id, &law, self.rho, self.words);
     }
     fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, _: L) {}
-    fn tangent<L: TangentLaw<T>>(&mut self, _: Id, law: L) {
-        spatial(&law, self.rho, self.words);
+    fn tangent<L: TangentLaw<T>>(&mut self, id: Id, law: L) {
+        spatial(id, &law, self.rho, self.words);
     }
 }
 
@@ -167,21 +167,21 @@ fn drawn<T: Number, L: Tangent<T>>(law: &L, rho: Radius<T>, at: CosSin<T>, words
     }
 }
 
-fn planar<T: Number, L: PlanarPoint<T>>(law: &L, rho: Radius<T>, words: &Words) {
+fn planar<T: Number, L: PlanarPoint<T>>(id: Id, law: &L, rho: Radius<T>, words: &Words) {
     let _context = context::<T, L>();
     let mut words = words.uncounted();
     let [x, y] = law.sample_point(rho, &mut words);
-    assert_drawn::<T, L>(T::TAIL_WORDS, words.drawn);
+    assert_drawn::<T, L>(T::theta_words(id), words.drawn);
     assert_point(rho, [x.wide(), y.wide(), 0.0]);
     let [sin, cos] = coslobe::Planar::sample(law, &mut words);
     drawn(law, rho, CosSin { cos, sin }, &mut words);
 }
 
-fn spatial<T: Number, L: SpatialPoint<T>>(law: &L, rho: Radius<T>, words: &Words) {
+fn spatial<T: Number, L: SpatialPoint<T>>(id: Id, law: &L, rho: Radius<T>, words: &Words) {
     let _context = context::<T, L>();
     let mut words = words.uncounted();
     let point = law.sample_point(rho, &mut words);
-    assert_drawn::<T, L>(of_direction::<T>(), words.drawn);
+    assert_drawn::<T, L>(of_direction::<T>(id), words.drawn);
     assert_point(rho, point.map(T::wide));
     let at = law.warp_tails(coslobe::uniform::tails(&mut words));
     drawn(law, rho, at, &mut words);

@@ -10,9 +10,9 @@ use kit::{Drawn, Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 const UNIT_ULP: f64 = 2.0;
 
 /// Words of a direction in space.
-pub(super) fn of_direction<T: Number>() -> Drawn {
-    let (tail, turn) = (T::TAIL_WORDS, T::TURN_WORDS);
-    (tail.0 + turn.0, tail.1 + turn.1)
+pub(super) fn of_direction<T: Number>(law: Id) -> Drawn {
+    let (theta, turn) = (T::theta_words(law), T::TURN_WORDS);
+    (theta.0 + turn.0, theta.1 + turn.1)
 }
 
 /// One direction, by every way to draw it.
@@ -24,19 +24,19 @@ pub(super) fn draws<T: Number>(mut input: Input) {
 struct Fed<'a>(&'a Words<'a>);
 
 impl<T: Number> LawVisitor<T> for Fed<'_> {
-    fn planar<L: PlanarLaw<T>>(&mut self, _: Id, law: L) {
-        planar(&law, self.0);
+    fn planar<L: PlanarLaw<T>>(&mut self, id: Id, law: L) {
+        planar(id, &law, self.0);
     }
-    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, law: L) {
-        spatial(&law, self.0);
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        spatial(id, &law, self.0);
     }
 }
 
-fn planar<T: Number, L: Planar<T>>(law: &L, words: &Words) {
+fn planar<T: Number, L: Planar<T>>(id: Id, law: &L, words: &Words) {
     let _context = context::<T, L>();
     let mut rng = words.uncounted();
     let d = Planar::sample(law, &mut rng);
-    assert_eq!(rng.drawn, T::TAIL_WORDS, "words drawn");
+    assert_eq!(rng.drawn, T::theta_words(id), "words drawn");
     assert_unit(d, UNIT_ULP);
     let [sin, cos] = d;
     let at = CosSin { cos, sin };
@@ -48,11 +48,11 @@ fn planar<T: Number, L: Planar<T>>(law: &L, words: &Words) {
     assert_sample(whole, (d, at, density));
 }
 
-fn spatial<T: Number, L: Spatial<T>>(law: &L, words: &Words) {
+fn spatial<T: Number, L: Spatial<T>>(id: Id, law: &L, words: &Words) {
     let _context = context::<T, L>();
     let mut rng = words.uncounted();
     let d = Spatial::sample(law, &mut rng);
-    assert_eq!(rng.drawn, of_direction::<T>(), "words drawn");
+    assert_eq!(rng.drawn, of_direction::<T>(id), "words drawn");
     assert_unit(d, UNIT_ULP);
     let [x, cos, z] = d;
     // hypot of squares that may underflow in T: taken in f64, where only T = f64 can.

@@ -2,7 +2,7 @@
 
 use super::Fast;
 use crate::arithmetic::constants::Constants;
-use crate::arithmetic::fast::fixed::at_most_one;
+use crate::arithmetic::fast::tail_root::TailRoot;
 use crate::arithmetic::fast::{angle, kepler, power, root};
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::logarithmic::{self, Logarithmic};
@@ -35,14 +35,6 @@ fn at_angle_fine(theta: Fast<f32>) -> CosSin<Fast<f32>> {
     fast((cos.value(), sin.value()))
 }
 
-/// c·eᵃ where eᵃ alone would leave the range of the format.
-#[cold]
-fn far_exp_times(a: f32, c: Fast<f32>) -> Fast<f32> {
-    // In quarters: half of −191, which with the largest c still gives a number, is beyond exp.
-    let quarter = Fast(power::exp(a * 0.25));
-    c * quarter * quarter * quarter * quarter
-}
-
 const fn constant(pair: Pair<f32>) -> Fast<f32> {
     Fast(pair.hi)
 }
@@ -51,7 +43,7 @@ impl Kernel for Fast<f32> {
     type Wide = Self;
     type Cosine = CosSin<Self>;
     type Scale = Self;
-    type TailRoot = Self;
+    type TailRoot = TailRoot;
 
     const CONSTANTS: Constants<Self> = {
         let c = <f32 as Native>::CONSTANTS;
@@ -166,7 +158,14 @@ impl Kernel for Fast<f32> {
     }
     #[inline(always)]
     fn power_times(k: Self, at: CosSin<Self>, scale: Self, factor: Self) -> Self {
-        logarithmic::power_times(k, at, scale * factor)
+        let c = scale * factor;
+        if !root::BY_SELECTS {
+            return logarithmic::power_times(k, at, c);
+        }
+        let power = Self::exp_times(Self::ln_cos_power(k, at), c);
+        let end = Self::select(k > Self::ZERO, Self::ZERO, Self::INFINITY);
+        let end = Self::select(k == Self::ZERO, c, end);
+        Self::select(at.cos > Self::ZERO, power, end)
     }
     #[inline(always)]
     fn ln_power_times_sine(k: Self, at: CosSin<Self>, c: Self) -> Self {
@@ -174,54 +173,40 @@ impl Kernel for Fast<f32> {
     }
     #[inline(always)]
     fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
-        logarithmic::power_tails(n, at)
-    }
-    #[inline(always)]
-    fn tail_root(n: Self) -> Self {
-        n
-    }
-    #[inline(always)]
-    fn power_warp(p: Tails<Self>, n: Self) -> CosSin<Self> {
-        let log = Fast(power::ln_upper(p.lower().0, p.upper().0));
-        let a = log / n;
-        let sin = if -a.0 < 1e-30 {
-            // sin²θ = −2a, which for large n underflows before its root does. The logarithm is not
-            // positive, and its size has no −0 for a root to keep. A subnormal one lost its last
-            // digit.
-            let lower = p.lower();
-            let size = if lower.0 < f32::MIN_POSITIVE {
-                lower
-            } else {
-                log.abs()
-            };
-            Scalar::sqrt(size + size) / Scalar::sqrt(n)
-        } else {
-            Scalar::sqrt(Self::one_minus_exp(a + a))
-        };
-        CosSin {
-            cos: Fast(at_most_one(Self::exp_times(a, Self::ONE).0)),
-            sin,
+        if !root::BY_SELECTS {
+            return logarithmic::power_tails(n, at);
         }
+        let a = Self::ln_cos_power(n, at);
+        let inside = at.cos > Self::ZERO;
+        (
+            Self::select(inside, Self::one_minus_exp(a), Self::ONE),
+            Self::select(inside, Self::exp_times(a, Self::ONE), Self::ZERO),
+        )
+    }
+    #[inline(always)]
+    fn tail_root(n: Self) -> TailRoot {
+        TailRoot::new(n.0)
+    }
+    #[inline(always)]
+    fn power_warp(p: Tails<Self>, root: TailRoot) -> CosSin<Self> {
+        fast(root.at(Tails::from_array(p.to_array().map(|x| x.0))))
     }
 }
 
 impl Logarithmic for Fast<f32> {
     #[inline(always)]
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
-        if at.sin.0 < 1e-15 {
-            // −k·sin²θ/2, in an order that does not underflow for a k as large as 1/sin²θ.
-            -(k * at.sin * at.sin * Self::HALF)
-        } else {
-            k * Self::ln_cos(at)
-        }
+        // Beside the axis −k·sin²θ/2, in an order that does not underflow for a k as large as
+        // 1/sin²θ.
+        Fast(root::choose::<{ root::BY_SELECTS }>(
+            at.sin.0 < 1e-15,
+            || -(k * at.sin * at.sin * Self::HALF).0,
+            || (k * Self::ln_cos(at)).0,
+        ))
     }
     #[inline(always)]
     fn exp_times(a: Self, c: Self) -> Self {
-        if a.0.abs() < 86.0 {
-            c * Fast(power::exp(a.0))
-        } else {
-            far_exp_times(a.0, c)
-        }
+        Fast(power::exp_times(a.0, c.0))
     }
     #[inline(always)]
     fn one_minus_exp(a: Self) -> Self {

@@ -11,6 +11,7 @@ pub(crate) mod kepler;
 pub(crate) mod kernel;
 pub(crate) mod power;
 pub(crate) mod root;
+pub(crate) mod tail_root;
 pub(crate) mod uniform;
 
 #[cfg(test)]
@@ -28,12 +29,13 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// beyond 1. Subnormal arguments are accepted; their accuracy is not promised. Quantiles may step
 /// back within their error.
 ///
-/// Where the plain type's operation is roots and products alone there is little to save on a host,
-/// and nothing in samples that take a cube root here and, of two uniforms in a word of 64 bits,
-/// none in the plain type: [`accuracy`](crate::accuracy)'s tables say what each costs.
+/// Where the plain type's operation is roots and products alone there is little to save on a host:
+/// [`accuracy`](crate::accuracy)'s tables say what each costs.
 ///
-/// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ and one for the
-/// azimuth; the deepest tail drawn is 2⁻³³.
+/// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ, in
+/// [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell) one `next_u64`, whose halves are
+/// two uniforms, and one `next_u32` for the azimuth; the deepest tail of a uniform is 2⁻³³. Of the
+/// 64 bits of a probability that are given, the upper half is read alone.
 ///
 /// ```
 /// use coslobe::{Fast, Lambert, Law};

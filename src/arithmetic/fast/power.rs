@@ -5,21 +5,52 @@
 
 use super::coefficients::{EXP2, EXP2_M1, LN};
 use super::fixed::{horner, leading_31};
-use super::root::UP;
+use super::root::{BY_SELECTS, UP, choose};
+use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::sqrt::unusual;
+use crate::scalar::Scalar;
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
-/// (m, e) with x = m·2ᵉ, m from √½ to √2, for normal x > 0.
+/// (m, e) with x = m·2ᵉ, m from √½ to √2, for normal x > 0;
+/// by selects, subnormal x is made normal first.
 #[inline(always)]
-fn split(bits: u32) -> (f32, i32) {
+pub(crate) fn split<const SELECTS: bool>(x: f32) -> (f32, i32) {
+    let tiny = SELECTS & (x < f32::MIN_POSITIVE);
+    let bits = if SELECTS {
+        x * f32::select(tiny, UP, 1.0)
+    } else {
+        x
+    }
+    .to_bits();
     let e = (bits.wrapping_sub(FRAC_1_SQRT_2.to_bits()) as i32) >> 23;
-    (f32::from_bits(bits.wrapping_sub((e << 23) as u32)), e)
+    let m = f32::from_bits(bits.wrapping_sub((e << 23) as u32));
+    (m, e)
 }
+
+/// e as a number; on x86-64 without a conversion, which waits for what its register held.
+#[inline(always)]
+pub(crate) fn float(e: i32) -> f32 {
+    const CARRIER: f32 = 12_582_912.0;
+    if BY_SELECTS {
+        f32::from_bits(CARRIER.to_bits().wrapping_add(e as u32)) - CARRIER
+    } else {
+        e as f32
+    }
+}
+
+/// ln [`UP`].
+const LN_UP: f32 = 24.0 * LN_2;
 
 /// e ln 2 + 2 atanh z.
 #[inline(always)]
 fn sum(z: f32, e: i32) -> f32 {
-    z * horner(z * z, &LN) + e as f32 * LN_2
+    z * horner(z * z, &LN) + float(e) * LN_2
+}
+
+/// ln x; −∞ at 0, NaN below.
+#[inline]
+pub(crate) fn ln(x: f32) -> f32 {
+    ln_by::<BY_SELECTS>(x)
 }
 
 #[cold]
@@ -29,33 +60,31 @@ fn ln_of_unusual(x: f32) -> f32 {
     } else if x < 0.0 {
         f32::NAN
     } else if x < f32::MIN_POSITIVE {
-        ln(x * UP) - 24.0 * LN_2
+        ln(x * UP) - LN_UP
     } else {
         x
     }
 }
 
-/// ln x; −∞ at 0, NaN below.
-#[inline]
-pub(crate) fn ln(x: f32) -> f32 {
-    let bits = x.to_bits();
-    if unusual(bits) {
+#[inline(always)]
+pub(super) fn ln_by<const SELECTS: bool>(x: f32) -> f32 {
+    if !SELECTS && unusual(x.to_bits()) {
         return ln_of_unusual(x);
     }
-    let (m, e) = split(bits);
-    sum((m - 1.0) / (m + 1.0), e)
+    let (m, e) = split::<SELECTS>(x);
+    at_ends::<SELECTS>(x, sum((m - 1.0) / (m + 1.0), e))
 }
 
-/// ln `upper`, where `lower` is 1 − upper with digits of its own: relative accuracy beside 1 too.
-#[inline]
-pub(crate) fn ln_upper(lower: f32, upper: f32) -> f32 {
-    let bits = upper.to_bits();
-    if unusual(bits) {
-        return ln_of_unusual(upper);
+/// `ln`, less that of [`UP`] where x is subnormal; or that of 0, a negative number, ∞ or NaN.
+#[inline(always)]
+fn at_ends<const SELECTS: bool>(x: f32, ln: f32) -> f32 {
+    if !SELECTS {
+        return ln;
     }
-    let (m, e) = split(bits);
-    let less_one = if e == 0 { -lower } else { m - 1.0 };
-    sum(less_one / (m + 1.0), e)
+    let below = f32::select(x < 0.0, f32::NAN, f32::NEG_INFINITY);
+    let ln = ln - f32::select(x < f32::MIN_POSITIVE, LN_UP, 0.0);
+    let ln = f32::select(x > 0.0, ln, below);
+    f32::select(x < f32::INFINITY, ln, x)
 }
 
 /// ln cos θ; beside the axis, where the cosine has no digits left, from the sine.
@@ -66,61 +95,149 @@ pub(crate) fn ln_upper(lower: f32, upper: f32) -> f32 {
 /// underflows (sin θ < 10⁻¹⁹).
 #[inline]
 pub(crate) fn ln_cos(cos: f32, sin: f32) -> f32 {
-    let bits = cos.to_bits();
-    if unusual(bits) {
+    ln_cos_by::<BY_SELECTS>(cos, sin)
+}
+
+#[inline(always)]
+pub(super) fn ln_cos_by<const SELECTS: bool>(cos: f32, sin: f32) -> f32 {
+    if !SELECTS && unusual(cos.to_bits()) {
         return ln_of_unusual(cos);
     }
-    let (m, e) = split(bits);
+    let (m, e) = split::<SELECTS>(cos);
     let near = e == 0;
-    let q = if near { sin } else { m - 1.0 } / (m + 1.0);
-    sum(if near { -(q * q) } else { q }, e)
+    let q = choose::<SELECTS>(near, || sin, || m - 1.0) / (m + 1.0);
+    at_ends::<SELECTS>(cos, sum(choose::<SELECTS>(near, || -(q * q), || q), e))
 }
 
 /// y + 384 lies in [256, 512) for −128 ≤ y < 128: its last bit is 2⁻¹⁵.
-const SHIFT: f32 = 384.0;
+pub(crate) const SHIFT: f32 = 384.0;
 const LEAST: u32 = (SHIFT - 126.0f32).to_bits();
 const BEYOND: u32 = 512.0f32.to_bits();
+
+/// An exponent −126 ≤ y < 128 in fixed point.
+#[derive(Clone, Copy)]
+pub(crate) struct Exponent(u32);
+
+impl Exponent {
+    #[inline(always)]
+    pub(crate) fn of(y: f32) -> Self {
+        Exponent((y + SHIFT).to_bits())
+    }
+
+    /// −126 if y is less; for y > −300.
+    #[inline(always)]
+    pub(crate) fn normal(self) -> Self {
+        Exponent((self.0 as i32).max(LEAST as i32) as u32)
+    }
+
+    /// Where y lies beyond, there is another number here.
+    #[inline(always)]
+    fn is_inside(self) -> bool {
+        self.0.wrapping_sub(LEAST) < BEYOND - LEAST
+    }
+
+    /// 2ʸ.
+    #[inline(always)]
+    pub(crate) fn power(self) -> f32 {
+        // The exponent field of the sum is constant; what follows it is (y + 128)·2¹⁵.
+        let fraction = (self.0 & 0x7FFF) << 1;
+        let n = (self.0 >> 15) & 0xFF;
+        let significand = EXP2.at(fraction as i32) >> 7;
+        f32::from_bits(significand.wrapping_add(n.wrapping_sub(2) << 23))
+    }
+
+    /// y in Q16 for −128 ≤ y ≤ 0, where the exponent of the sum is that of 384.
+    #[inline(always)]
+    pub(crate) fn from_zero(self) -> i32 {
+        (self.0.wrapping_sub(SHIFT.to_bits()) << 1) as i32
+    }
+}
 
 #[cold]
 fn exp2_beyond(y: f32) -> f32 {
     if y.is_nan() {
         y
-    } else if y > 0.0 {
-        f32::INFINITY
-    } else {
+    } else if y.is_sign_negative() {
         0.0
+    } else {
+        f32::INFINITY
     }
 }
 
 /// 2ʸ; 0 below y = −126, where it would be subnormal.
 #[inline]
-pub(crate) fn exp2(y: f32) -> f32 {
-    let bits = (y + SHIFT).to_bits();
-    if bits.wrapping_sub(LEAST) >= BEYOND - LEAST {
-        return exp2_beyond(y);
+fn exp2_by<const SELECTS: bool>(y: f32) -> f32 {
+    let exponent = Exponent::of(y);
+    if !SELECTS {
+        return if exponent.is_inside() {
+            exponent.power()
+        } else {
+            exp2_beyond(y)
+        };
     }
-    // The exponent field of the sum is constant; what follows it is (y + 128)·2¹⁵.
-    let fraction = (bits & 0x7FFF) << 1;
-    let n = (bits >> 15) & 0xFF;
-    let significand = EXP2.at(fraction as i32) >> 7;
-    f32::from_bits(significand.wrapping_add(n.wrapping_sub(2) << 23))
+    let end = f32::select(y > 0.0, f32::INFINITY, 0.0);
+    let end = f32::select(y.is_nan(), y, end);
+    f32::select(exponent.is_inside(), exponent.power(), end)
 }
 
-/// eˣ; 0 where it would be subnormal.
-#[inline]
-pub(crate) fn exp(x: f32) -> f32 {
-    exp2(x * LOG2_E)
+/// c·eᵃ, also where eᵃ alone would leave the range of the format.
+#[inline(always)]
+pub(crate) fn exp_times(a: f32, c: f32) -> f32 {
+    exp_times_by::<BY_SELECTS>(a, c)
+}
+
+#[cold]
+fn far_exp_times(a: f32, c: f32) -> f32 {
+    lifted::<false>(
+        a,
+        c,
+        if a.is_sign_negative() {
+            LIFT_DOWN
+        } else {
+            LIFT_UP
+        },
+    )
+}
+
+/// A part, and the logarithm of two of its reciprocal.
+type Lift = (f32, f32);
+const LIFT_DOWN: Lift = (power_of_two(-76), 152.0);
+const LIFT_UP: Lift = (power_of_two(76), -152.0);
+
+/// c·eᵃ with a power of two taken from the exponential and put to it in two parts, of which the
+/// first keeps the product in range.
+#[inline(always)]
+fn lifted<const SELECTS: bool>(a: f32, c: f32, (part, shift): Lift) -> f32 {
+    c * part * exp2_by::<SELECTS>(a * LOG2_E + shift) * part
+}
+
+#[inline(always)]
+pub(super) fn exp_times_by<const SELECTS: bool>(a: f32, c: f32) -> f32 {
+    let near = a.abs() < 86.0;
+    if SELECTS {
+        let far = |down, up| f32::select(a < 0.0, down, up);
+        let part = f32::select(near, 1.0, far(LIFT_DOWN.0, LIFT_UP.0));
+        let shift = f32::select(near, 0.0, far(LIFT_DOWN.1, LIFT_UP.1));
+        lifted::<true>(a, c, (part, shift))
+    } else if near {
+        c * exp2_by::<false>(a * LOG2_E)
+    } else {
+        far_exp_times(a, c)
+    }
 }
 
 /// 1 − eˣ for x ≤ 0.
 #[inline]
 pub(crate) fn one_minus_exp(x: f32) -> f32 {
+    one_minus_exp_by::<BY_SELECTS>(x)
+}
+
+#[inline(always)]
+pub(super) fn one_minus_exp_by<const SELECTS: bool>(x: f32) -> f32 {
     let y = x * LOG2_E;
-    if y > -0.5 {
-        // Where the exponent of the sum stays that of 384, its bits differ by y in Q15.
-        let q15 = (y + SHIFT).to_bits().wrapping_sub(SHIFT.to_bits());
-        -y * leading_31(EXP2_M1.at((q15 << 1) as i32), -1)
-    } else {
-        1.0 - exp2(y)
-    }
+    choose::<SELECTS>(
+        y > -0.5,
+        || -y * leading_31(EXP2_M1.at(Exponent::of(y).from_zero()), -1),
+        || 1.0 - exp2_by::<SELECTS>(y),
+    )
 }

@@ -2,6 +2,7 @@
 
 use super::coefficients::CBRT;
 use crate::arithmetic::native::sqrt::unusual;
+use crate::scalar::Scalar;
 
 /// 2²⁴: makes a subnormal number normal.
 pub(crate) const UP: f32 = 16_777_216.0;
@@ -9,6 +10,22 @@ pub(crate) const UP: f32 = 16_777_216.0;
 /// Whether rare cases are selected, as loops of vectors need, not branched to: on 32-bit processors
 /// a product may be a routine. Always the same bits.
 pub(crate) const BY_SELECTS: bool = cfg!(target_pointer_width = "64");
+
+/// `a` if `first`, else `b`: by a mask, with both at hand, or by a branch.
+#[inline(always)]
+pub(crate) fn choose<const SELECTS: bool>(
+    first: bool,
+    a: impl FnOnce() -> f32,
+    b: impl FnOnce() -> f32,
+) -> f32 {
+    if SELECTS {
+        f32::select(first, a(), b())
+    } else if first {
+        a()
+    } else {
+        b()
+    }
+}
 
 /// ∛x for finite x > 0, any other x as it is. Of no number up to 1 it is above 1.
 #[inline]

@@ -7,8 +7,11 @@ extern crate std;
 
 mod reference;
 mod special;
+mod ways;
 
+use super::tail_root::TailRoot;
 use super::{angle, coefficients, fixed, kepler, power, root, uniform};
+use crate::Tails;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use reference::{cos, end, eta, ln_cos, sin, tail};
 use std::{println, vec::Vec};
@@ -47,6 +50,15 @@ const TINY: f32 = f32::MIN_POSITIVE;
 const LEAST: f32 = f32::from_bits(1);
 const MAX: f32 = f32::MAX;
 
+fn exp(x: f32) -> f32 {
+    power::exp_times(x, 1.0)
+}
+
+/// (cos θ, sin θ) with cosⁿθ = 1 − p.
+fn power_warp(n: f32, p: f32) -> (f32, f32) {
+    TailRoot::new(n).at(Tails::from_lower(p))
+}
+
 // One line a row, so that it reads as the table it is.
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
@@ -71,13 +83,17 @@ const ROWS: &[Row] = &[
     row("atan2: flat, behind", -16.5, (TINY, 1.0), (1e-3, 1.0),
         |t| angle::atan2(-t, -1.0), |t| libm::atan2(-t, -1.0)),
     row("ln", -21.4, (TINY, MAX), (0.25, 4.0), power::ln, libm::log),
-    row("ln_upper", -21.3, (TINY, 0.99), (1e-3, 0.99),
-        |p| power::ln_upper(p, 1.0 - p), |p| libm::log1p(-p)),
+    row("tail_root: cos", -14.1, (TINY, 0.99), (1e-3, 0.99), |p| power_warp(20.0, p).0,
+        |p| libm::exp(libm::log1p(-p) / 20.0)),
+    row("tail_root: sin", -14.5, (LEAST, 0.99), (1e-3, 0.99), |p| power_warp(20.0, p).1,
+        |p| libm::sqrt(-libm::expm1(libm::log1p(-p) / 10.0))),
+    row("tail_root: huge n", -15.1, (LEAST, 0.99), (1e-3, 0.99), |p| power_warp(MAX, p).1,
+        |p| libm::sqrt(-2.0 * libm::log1p(-p) / f64::from(MAX))),
     row("ln_cos", -20.7, (2e-19, END), (0.01, END), |x| power::ln_cos(cos(x), sin(x)), ln_cos),
     row("cos to the 100th", -13.9, (1e-6, 1.1), (1e-3, 1.1),
-        |x| power::exp(100.0 * power::ln_cos(cos(x), sin(x))), |x| libm::exp(100.0 * ln_cos(x))),
-    row("exp, x < 0", -14.1, (TINY, 87.3), (1e-3, 87.3), |x| power::exp(-x), |x| libm::exp(-x)),
-    row("exp, x > 0", -14.1, (TINY, 88.7), (1e-3, 88.7), power::exp, libm::exp),
+        |x| exp(100.0 * power::ln_cos(cos(x), sin(x))), |x| libm::exp(100.0 * ln_cos(x))),
+    row("exp, x < 0", -14.1, (TINY, 87.3), (1e-3, 87.3), |x| exp(-x), |x| libm::exp(-x)),
+    row("exp, x > 0", -14.1, (TINY, 88.7), (1e-3, 88.7), exp, libm::exp),
     row("one_minus_exp", -13.8, (TINY, MAX), (1e-3, 32.0),
         |x| power::one_minus_exp(-x), |x| -libm::expm1(-x)),
     row("tail_at_angle", -16.2, (TINY, END), (0.01, END), kepler::tail_at_angle, |x| tail(end(x))),
@@ -181,6 +197,14 @@ fn tails() {
         assert_eq!(p, ((2.0 * n + 1.0) / 8589934592.0) as f32);
         assert_eq!(upper, bits >= 1 << 31);
         assert!(p > 0.0 && p <= 0.5);
+        let [lower, farther] = if upper { [1, 0] } else { [0, 1] }.map(|i| uniform::tails(bits)[i]);
+        assert_eq!(lower, p);
+        // Cut off, and p itself is rounded.
+        let off = (1.0 - f64::from(p)) - f64::from(farther);
+        assert!(
+            (-0.5f64.powi(25)..0.5f64.powi(23)).contains(&off),
+            "{bits:#x}: {off:e}"
+        );
     }
 }
 

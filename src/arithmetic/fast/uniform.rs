@@ -2,8 +2,9 @@
 
 use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
+use super::root::BY_SELECTS;
 use crate::arithmetic::native::turn::merge_if_odd;
-use crate::arithmetic::native::uniform::f32::tail_of_half;
+use crate::arithmetic::native::uniform::f32::{self, tail_of_half};
 
 /// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n +
 /// 1)·2⁻³³.
@@ -14,16 +15,41 @@ pub(crate) fn tail(bits: u32) -> (f32, bool) {
     (tail_of_half(bits), bits >> 31 != 0)
 }
 
+/// Both tails of the same word, the lower first; the farther, cut off, is put together from its
+/// bits, since a difference may be a routine.
+#[inline(always)]
+pub(crate) fn tails(bits: u32) -> [f32; 2] {
+    let (p, is_upper) = tail(bits);
+    let (p, q) = (p.to_bits(), leading_31(!bits | 1 << 31, -1).to_bits());
+    [
+        f32::from_bits(if is_upper { q } else { p }),
+        f32::from_bits(if is_upper { p } else { q }),
+    ]
+}
+
 /// (cos, sin) of the azimuth (bits + ½)·2⁻³² turns.
 #[inline]
 pub(crate) fn turn(bits: u32) -> (f32, f32) {
     let quadrant = bits.wrapping_add(1 << 29) >> 30;
-    let rest = bits.wrapping_sub(quadrant << 30) as i32; // ±2²⁹, of 2³² to the turn
-    let y = rest >> 14; // eighths of a turn, Q15
+    let rest = (bits << 2) as i32; // ±2³¹, of 2³⁴ to the turn
+    let y = rest >> 16; // eighths of a turn, Q15
     let v = y.wrapping_mul(y) >> 14;
     let cos = leading_30(TURN_COS.at(v), 0).to_bits();
-    let sin = ((rest << 1 | 1) as f32 * leading_31(TURN_SIN.at(v), -31)).to_bits();
-    let (cos, sin) = merge_if_odd(quadrant, cos, sin);
+    let share = TURN_SIN.at(v);
+    // The same product each way.
+    let sin = if BY_SELECTS {
+        f32::turn(bits).1 * leading_31(share, 2)
+    } else {
+        (rest >> 1 | 1) as f32 * leading_31(share, -31)
+    }
+    .to_bits();
+    let (cos, sin) = if BY_SELECTS {
+        // In half the instructions of masks: both are integers here.
+        let odd = quadrant & 1 != 0;
+        (if odd { sin } else { cos }, if odd { cos } else { sin })
+    } else {
+        merge_if_odd(quadrant, cos, sin)
+    };
     let cos_sign = (quadrant.wrapping_add(1) << 30) & (1 << 31);
     let sin_sign = (quadrant << 30) & (1 << 31);
     (

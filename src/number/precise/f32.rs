@@ -119,11 +119,6 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn halves(bits: u64) -> Option<[u32; 2]> {
-        f32::halves(bits)
-    }
-
-    #[inline]
     fn tails_from_half(bits: u32) -> Tails<Self> {
         Tails::from_array(f32::tails_from_half(bits).to_array().map(Precise))
     }

@@ -108,11 +108,6 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn halves(bits: u128) -> Option<[u64; 2]> {
-        f64::halves(bits)
-    }
-
-    #[inline]
     fn tails_from_half(bits: u64) -> Tails<Self> {
         Tails::from_array(f64::tails_from_half(bits).to_array().map(Precise))
     }

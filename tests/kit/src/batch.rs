@@ -31,8 +31,8 @@ impl BatchNumber for f64 {
 }
 
 impl BatchNumber for Fast<f32> {
-    fn tail_bits(next: &mut impl FnMut() -> u64) -> u32 {
-        (next() >> 32) as u32
+    fn tail_bits(next: &mut impl FnMut() -> u64) -> u64 {
+        next()
     }
     fn turn_bits(next: &mut impl FnMut() -> u64) -> u32 {
         (next() >> 32) as u32

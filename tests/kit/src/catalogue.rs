@@ -48,6 +48,11 @@ impl Id {
         Id::CosPower(EXPONENT),
     ];
 
+    /// Whether samples make θ of two uniforms, each of half the bits.
+    pub const fn has_two_uniforms(self) -> bool {
+        matches!(self, Id::Disk | Id::SphereShell)
+    }
+
     /// The law's name, as in the library's documentation and its tables.
     pub const fn name(self) -> &'static str {
         match self {

@@ -1,5 +1,6 @@
 //! Number types: what whoever tests, counts or draws in one of them has to know of it.
 
+use crate::Id;
 #[cfg(feature = "std")]
 pub use crate::accuracy::format::Format;
 use core::f64::consts::FRAC_PI_2;
@@ -42,6 +43,11 @@ pub trait Number: Real + Into<f64> {
     const TAIL_WORDS: Drawn;
     /// Words of one azimuth.
     const TURN_WORDS: Drawn;
+
+    /// Words of θ where it is one probability, as in most laws, or two numbers.
+    fn theta_words(_: Id) -> Drawn {
+        Self::TAIL_WORDS
+    }
 
     /// The least number that is told from 0.
     const LEAST_STEP: f64;

@@ -1,6 +1,6 @@
 //! The number types that are more exact than their format's operations, or less.
 
-use crate::{Drawn, Format, Number};
+use crate::{Drawn, Format, Id, Number};
 use coslobe::{Fast, Precise, Real};
 
 /// Whether the number type of this name promises ulps and order; `Fast` promises a relative error
@@ -69,6 +69,13 @@ impl Number for Fast<f32> {
     const GRID: f64 = 1.0 / 32768.0; // its roots have 16 bits
     const TAIL_WORDS: Drawn = (1, 0);
     const TURN_WORDS: Drawn = (1, 0);
+    fn theta_words(law: Id) -> Drawn {
+        if law.has_two_uniforms() {
+            (0, 1)
+        } else {
+            Self::TAIL_WORDS
+        }
+    }
     const LEAST_STEP: f64 = f32::MIN_POSITIVE as f64;
     const SMALLEST: Self = Fast(f32::MIN_POSITIVE);
     const LARGEST: Self = Fast(f32::MAX);

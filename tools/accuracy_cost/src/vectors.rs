@@ -72,12 +72,10 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
 /// is none of vectors.
 fn no_vectors(list: &[Contender], counted: &[f64]) -> Vec<String> {
     let all = || list.iter().zip(counted);
-    // A generator's words come one after the other; near the axis ln cos θ is `libm`'s log1p, which
-    // branches, as do the coarse type's logarithms and powers.
-    let branches = |c: &Contender| match c.law {
-        Id::CosPower(_) => c.name != c.format,
-        Id::Disk | Id::CircleShell => c.operation == "ln_pdf_slice",
-        _ => c.operation == "ln_pdf_slice" && c.name != c.format,
+    // A generator's words come one after the other; near the axis the plain types' ln cos θ is
+    // `libm`'s log1p, which branches.
+    let branches = |c: &Contender| {
+        matches!(c.law, Id::Disk | Id::CircleShell) && c.operation == "ln_pdf_slice"
     };
     let vectors = |c: &Contender| c.operation != "sample_slice" && !branches(c);
     let wide = all().filter(|(c, _)| c.width == Some(Width::Avx2) && vectors(c));

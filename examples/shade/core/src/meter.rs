@@ -2,7 +2,6 @@
 
 use crate::{Effect, Number};
 use core::marker::PhantomData;
-use coslobe::uniform::TailBits;
 
 /// Hears of every ray and every random word.
 pub trait Meter {
@@ -28,7 +27,7 @@ impl Meter for () {}
 pub struct Aligned<T>(PhantomData<T>);
 
 impl<T: Number> Meter for Aligned<T> {
-    const FIRST: usize = size_of::<TailBits<T>>() / 4;
+    const FIRST: usize = T::TAIL_WORDS;
 }
 
 /// Counts of one effect each.

@@ -1,5 +1,6 @@
 //! What the shader asks of a number type beyond what the laws do.
 
+use coslobe::uniform::TailBits;
 use coslobe::{Fast, Precise, Real};
 
 /// A number type of `coslobe` that scenes are rendered in.
@@ -16,6 +17,8 @@ pub trait Number: Real + Into<f64> {
     const ROUNDING: Self;
     /// Whether the laws' pairs are unit vectors to fewer digits than geometry needs.
     const IS_COARSE: bool = false;
+    /// Random words of 32 bits behind a probability.
+    const TAIL_WORDS: usize = size_of::<TailBits<Self>>() / 4;
     /// The number nearest to `x`.
     fn from_f64(x: f64) -> Self;
     /// The number nearest to `x`, without `f64` arithmetic.
@@ -85,6 +88,7 @@ impl Number for Fast<f32> {
     const PI: Self = Fast(core::f32::consts::PI);
     const ROUNDING: Self = Fast(<f32 as Number>::ROUNDING);
     const IS_COARSE: bool = true;
+    const TAIL_WORDS: usize = 1;
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Fast(x as f32)

@@ -1,7 +1,7 @@
 //! Effects, sets of them, and the two ways to say which are on.
 
-use crate::Vector;
-use coslobe::uniform::{TailBits, TurnBits};
+use crate::{Number, Vector};
+use coslobe::uniform::TurnBits;
 
 /// What can be simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,7 +69,7 @@ impl Effect {
     /// What one entry into the effect costs in the world of `V`. The ray of a reflection is the one
     /// that leaves the surface.
     pub fn cost<V: Vector>(self) -> Cost {
-        let tail = size_of::<TailBits<V::T>>() / 4;
+        let tail = V::T::TAIL_WORDS;
         let turn = size_of::<TurnBits<V::T>>() / 4;
         let direction = if V::DIM == 3 { tail + turn } else { tail };
         let (words, rays) = match self {

@@ -9,7 +9,7 @@ fn total() {
     let ones: [fn(f32) -> f32; 12] = [
         root::cbrt,
         power::ln,
-        power::exp,
+        super::exp,
         power::one_minus_exp,
         kepler::tail_at_angle,
         kepler::angle_at_tail,
@@ -20,10 +20,9 @@ fn total() {
         |x| kepler::direction_at_tail(x).0,
         |x| kepler::direction_at_tail(x).1,
     ];
-    let twos: [fn(f32, f32) -> f32; 5] = [
+    let twos: [fn(f32, f32) -> f32; 4] = [
         angle::atan2_first,
         angle::atan2,
-        power::ln_upper,
         power::ln_cos,
         kepler::tail_at_direction,
     ];
@@ -56,7 +55,7 @@ fn special_values() {
     );
     assert!(power::ln(-1.0).is_nan() && power::ln(f32::from_bits(1)) < -87.0);
     assert_eq!(
-        (power::exp(-inf), power::exp(inf), power::exp(89.0)),
+        (super::exp(-inf), super::exp(inf), super::exp(89.0)),
         (0.0, inf, inf)
     );
     assert_eq!(

@@ -54,8 +54,10 @@ pub(crate) fn tail_of_half(n: u32) -> f32 {
     if BY_SUMS {
         const HIGH: u32 = carrier(16 - 33);
         const LOW: u32 = carrier(-33);
-        let high = f32::from_bits(HIGH | odd >> 16) - f32::from_bits(HIGH);
-        high + (f32::from_bits(LOW | odd & 0xFFFF) - f32::from_bits(LOW))
+        // Both at once: the only sum that rounds is the last.
+        const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
+        let high = f32::from_bits(HIGH | odd >> 16) - CARRIERS;
+        high + f32::from_bits(LOW | odd & 0xFFFF)
     } else {
         down_33(odd as f32)
     }
@@ -117,7 +119,8 @@ fn summed_turn(bits: u32) -> f32 {
     let twice = bits << 2;
     let high = f32::from_bits(HIGH | (twice ^ 1 << 31) >> 9);
     let low = f32::from_bits(LOW | twice & 0x1FF | 2);
-    (high - (f32::from_bits(HIGH) + 0.125)) + (low - f32::from_bits(LOW))
+    // The carriers at once: the only sum that rounds is the last.
+    (high - (f32::from_bits(HIGH) + 0.125 + f32::from_bits(LOW))) + low
 }
 
 #[cfg(test)]

@@ -1,0 +1,109 @@
+//! (cos θ, sin θ) with cosⁿθ a given tail.
+//!
+//! Method: y = log₂ of the tail over n; cos θ = 2ʸ, and sin²θ = (1 − 2ʸ)(1 + 2ʸ), where for y near
+//! 0 the first factor is −y times a polynomial, so that sin θ has its digits beside the axis. For
+//! large n y itself may underflow there: sin θ is the root of the logarithm times that of 1/n.
+
+use super::coefficients::{EXP2_M1, LN};
+use super::fixed::{at_most_one, horner, leading_31};
+use super::power::{Exponent, float, split};
+use super::root::{BY_SELECTS, UP, choose};
+use crate::Tails;
+use crate::arithmetic::native::f32::power_of_two;
+use crate::arithmetic::native::sqrt::unusual;
+use crate::scalar::Scalar;
+use core::f32::consts::{LN_2, LOG2_E};
+
+/// What n ≥ 1 needs for it, worked out once.
+#[derive(Clone, Copy, Debug)]
+pub struct TailRoot {
+    /// log₂ e · 2⁻²⁴/n.
+    slope: f32,
+    /// √(log₂ e · 2⁻²⁴/n), which does not underflow.
+    side: f32,
+}
+
+/// 2⁻²⁴, and its root.
+const DOWN: f32 = 1.0 / UP;
+const ROOT_DOWN: f32 = 1.0 / 4096.0;
+/// √log₂ e.
+const ROOT_LOG2_E: f32 = 1.201_122_4;
+/// Of the logarithm's argument times 2²⁴.
+const LN_UP: [f32; 3] = [
+    LN[0],
+    LN[1] * DOWN * DOWN,
+    LN[2] * DOWN * DOWN * DOWN * DOWN,
+];
+
+impl TailRoot {
+    pub(crate) fn new(n: f32) -> Self {
+        TailRoot {
+            slope: LOG2_E * DOWN / n,
+            side: ROOT_LOG2_E * ROOT_DOWN / Scalar::sqrt(n),
+        }
+    }
+
+    /// (cos θ, sin θ) at the tails p.
+    #[inline(always)]
+    pub(crate) fn at(self, p: Tails<f32>) -> (f32, f32) {
+        self.by::<BY_SELECTS>(p)
+    }
+
+    #[inline(always)]
+    pub(super) fn by<const SELECTS: bool>(self, p: Tails<f32>) -> (f32, f32) {
+        let (lower, upper) = (p.lower(), p.upper());
+        if !SELECTS && unusual(upper.to_bits()) {
+            return self.at_unusual(p);
+        }
+        let log = ln_up::<SELECTS>(lower, upper);
+        let y = log * self.slope;
+        let exponent = Exponent::of(y);
+        let power = if SELECTS {
+            // Of a subnormal tail 2ʸ may be subnormal too.
+            let tiny = upper < f32::MIN_POSITIVE;
+            let lifted = Exponent::of(y + f32::select(tiny, 64.0, 0.0));
+            lifted.normal().power() * f32::select(tiny, power_of_two(-64), 1.0)
+        } else {
+            exponent.normal().power()
+        };
+        let cos = at_most_one(power);
+        let near = y > -0.5;
+        let part = choose::<SELECTS>(
+            near,
+            || -log * leading_31(EXP2_M1.at(exponent.from_zero()), -1),
+            || 1.0 - cos,
+        );
+        let root = Scalar::sqrt(part * (1.0 + cos));
+        let sin = choose::<SELECTS>(near, || root * self.side, || root);
+        if SELECTS {
+            // The ends: (0, 1) at 0, and NaN.
+            let inside = upper > 0.0;
+            (
+                f32::select(inside, cos, upper),
+                f32::select(inside, sin, lower),
+            )
+        } else {
+            (cos, sin)
+        }
+    }
+
+    #[cold]
+    fn at_unusual(self, p: Tails<f32>) -> (f32, f32) {
+        if p.upper() > 0.0 {
+            self.by::<true>(p)
+        } else {
+            (p.upper(), p.lower())
+        }
+    }
+}
+
+/// 2²⁴ ln `upper`, where `lower` is 1 − upper with digits of its own: relative accuracy beside 1
+/// too, and no subnormal number for the least of them.
+#[inline(always)]
+fn ln_up<const SELECTS: bool>(lower: f32, upper: f32) -> f32 {
+    let (m, e) = split::<SELECTS>(upper);
+    let tiny = SELECTS & (upper < f32::MIN_POSITIVE);
+    let less_one = choose::<SELECTS>(e == 0, || -lower, || m - 1.0);
+    let z = less_one / (f32::from_bits(m.to_bits().wrapping_sub(24 << 23)) + DOWN);
+    z * horner(z * z, &LN_UP) + float(e.wrapping_sub(if tiny { 24 } else { 0 })) * (LN_2 * UP)
+}

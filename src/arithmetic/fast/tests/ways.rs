@@ -1,0 +1,67 @@
+//! By selects and by branches: the same bits.
+
+use super::TailRoot;
+use crate::Tails;
+use crate::arithmetic::fast::power::{exp_times_by, ln_by, ln_cos_by, one_minus_exp_by};
+
+/// Of two ways to compute a number: any NaN is as good as another.
+fn same(what: &str, [a, b]: [f32; 2], at: [f32; 2]) {
+    let is_same = a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
+    assert!(
+        is_same,
+        "{what} at {at:?}: {a:e} by selects, {b:e} by branches"
+    );
+}
+
+fn all(x: f32, other: f32) {
+    let at = [x, other];
+    same("ln", [ln_by::<true>(x), ln_by::<false>(x)], at);
+    let ln_cos = [ln_cos_by::<true>(x, other), ln_cos_by::<false>(x, other)];
+    same("ln_cos", ln_cos, at);
+    let exp = [
+        exp_times_by::<true>(x, other),
+        exp_times_by::<false>(x, other),
+    ];
+    same("exp_times", exp, at);
+    let less = [one_minus_exp_by::<true>(x), one_minus_exp_by::<false>(x)];
+    same("one_minus_exp", less, at);
+}
+
+fn tails(p: Tails<f32>) {
+    for n in [1.0, 1.5, 21.0, 1e30, f32::MAX] {
+        let root = TailRoot::new(n);
+        let (a, b) = (root.by::<true>(p), root.by::<false>(p));
+        let at = [p.lower(), p.upper()];
+        same("cos", [a.0, b.0], at);
+        same("sin", [a.1, b.1], at);
+    }
+}
+
+#[test]
+fn by_selects_as_by_branches() {
+    let ends = [
+        0.0,
+        f32::from_bits(1),
+        f32::MIN_POSITIVE,
+        0.5,
+        1.0,
+        86.0,
+        88.0,
+    ];
+    let ends = ends
+        .into_iter()
+        .chain([103.3, f32::MAX, f32::INFINITY, f32::NAN]);
+    let near = |x: f32| {
+        [x.next_down(), x, x.next_up()]
+            .into_iter()
+            .flat_map(|x| [x, -x])
+    };
+    let steps = (0..=u32::MAX).step_by(9973).map(f32::from_bits);
+    for x in ends.flat_map(near).chain(steps) {
+        for other in [0.0, 1e-40, 3e-8, 0.7, 1.0, 1e20, f32::MAX] {
+            all(x, other);
+        }
+        tails(Tails::from_lower(x));
+        tails(Tails::from_upper(x));
+    }
+}
