@@ -64,8 +64,8 @@ impl<T: Native> TailRoot<T> {
 
         let power = T::exp2(n.max(T::LEAST_EXPONENT));
         let full = (T::ONE - power) - power * part;
-        // −2 ln/n, to the first order: sin²θ of a large n or a small tail.
-        let first = (e * T::CONSTANTS.ln_2.hi + ln) * self.up;
+        // −2 ln/n, to the first order: sin²θ of a large n or a small tail; no −0.
+        let first = ((e * T::CONSTANTS.ln_2.hi + ln) * self.up).abs();
         let slight = y > -T::SLIGHT;
         let sin = T::select(slight, first, full).sqrt() * T::select(slight, self.down, T::ONE);
 
