@@ -22,6 +22,8 @@ pub(crate) fn tail(n: u64) -> f32 {
 fn summed(n: u64) -> f32 {
     const HIGH: u32 = carrier(23);
     const LOW: u32 = carrier(0);
+    // Both at once: the only sum that rounds is the last.
+    const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
     let (upper, lower) = ((n >> 32) as u32, n as u32);
     // All 43 bits of 2n + 1 where that has no more, else the leading 46 of n, of which the last
     // lies below the digits kept and stands for all that follow.
@@ -41,9 +43,8 @@ fn summed(n: u64) -> f32 {
     } else {
         TWO_TO_MINUS_47
     };
-    let high = f32::from_bits(HIGH | high) - f32::from_bits(HIGH);
-    let low = f32::from_bits(LOW | low & 0x7F_FFFF | 1) - f32::from_bits(LOW);
-    (high + low) * unit
+    let high = f32::from_bits(HIGH | high) - CARRIERS;
+    (high + f32::from_bits(LOW | low & 0x7F_FFFF | 1)) * unit
 }
 
 /// (2n + 1)·2⁻³³ for the lower 31 bits n, rounded to nearest: never zero; ½ is reached and not
@@ -54,7 +55,6 @@ pub(crate) fn tail_of_half(n: u32) -> f32 {
     if BY_SUMS {
         const HIGH: u32 = carrier(16 - 33);
         const LOW: u32 = carrier(-33);
-        // Both at once: the only sum that rounds is the last.
         const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
         let high = f32::from_bits(HIGH | odd >> 16) - CARRIERS;
         high + f32::from_bits(LOW | odd & 0xFFFF)

@@ -25,6 +25,8 @@ fn summed(n: u128) -> f64 {
     const HIGH: u64 = carrier(52);
     const LOW: u64 = carrier(0);
     const PART: u64 = (1 << 52) - 1;
+    // Both at once: the only sum that rounds is the last.
+    const CARRIERS: f64 = f64::from_bits(HIGH) + f64::from_bits(LOW);
     let (upper, lower) = ((n >> 64) as u64, n as u64);
     // As in `f32`: all 78 bits of 2n + 1, or the leading 104 of n.
     let deep = upper >> 13 == 0;
@@ -43,9 +45,8 @@ fn summed(n: u128) -> f64 {
     } else {
         power_of_two(-105)
     };
-    let high = f64::from_bits(HIGH | high) - f64::from_bits(HIGH);
-    let low = f64::from_bits(LOW | low & PART | 1) - f64::from_bits(LOW);
-    (high + low) * unit
+    let high = f64::from_bits(HIGH | high) - CARRIERS;
+    (high + f64::from_bits(LOW | low & PART | 1)) * unit
 }
 
 /// (2n + 1)·2⁻⁶⁵ for the lower 63 bits n, rounded to nearest: never zero; ½ is reached and not
@@ -56,8 +57,9 @@ pub(crate) fn tail_of_half(n: u64) -> f64 {
     if BY_SUMS {
         const HIGH: u64 = carrier(32 - 65);
         const LOW: u64 = carrier(-65);
-        let high = f64::from_bits(HIGH | odd >> 32) - f64::from_bits(HIGH);
-        high + (f64::from_bits(LOW | odd & 0xFFFF_FFFF) - f64::from_bits(LOW))
+        const CARRIERS: f64 = f64::from_bits(HIGH) + f64::from_bits(LOW);
+        let high = f64::from_bits(HIGH | odd >> 32) - CARRIERS;
+        high + f64::from_bits(LOW | odd & 0xFFFF_FFFF)
     } else {
         down::<65>(odd as f64)
     }
@@ -123,7 +125,7 @@ fn summed_turn(bits: u64) -> f64 {
     let twice = bits << 2;
     let high = f64::from_bits(HIGH | (twice ^ 1 << 63) >> 32);
     let low = f64::from_bits(LOW | twice & 0xFFFF_FFFF | 2);
-    (high - (f64::from_bits(HIGH) + 0.125)) + (low - f64::from_bits(LOW))
+    (high - (f64::from_bits(HIGH) + 0.125 + f64::from_bits(LOW))) + low
 }
 
 #[cfg(test)]
