@@ -108,7 +108,7 @@ fn the_largest_word_stays_inside() {
         [at.sin, at.cos]
     };
     assert_eq!([sin, cos], [0.0, 1.0]);
-    for word in [u32::MAX, u32::MAX >> 1] {
+    for word in [u64::MAX, u64::MAX >> 1] {
         let p = coslobe::uniform::tails_from_bits::<Fast<f32>>(word);
         assert_eq!([p.lower().0, p.upper().0], [0.5; 2]);
     }

@@ -148,7 +148,7 @@ impl Exponent {
 
     /// y in Q16 for −128 ≤ y ≤ 0, where the exponent of the sum is that of 384.
     #[inline(always)]
-    pub(crate) fn from_zero(self) -> i32 {
+    pub(crate) fn below_zero(self) -> i32 {
         (self.0.wrapping_sub(SHIFT.to_bits()) << 1) as i32
     }
 }
@@ -237,7 +237,7 @@ pub(super) fn one_minus_exp_by<const SELECTS: bool>(x: f32) -> f32 {
     let y = x * LOG2_E;
     choose::<SELECTS>(
         y > -0.5,
-        || -y * leading_31(EXP2_M1.at(Exponent::of(y).from_zero()), -1),
+        || -y * leading_31(EXP2_M1.at(Exponent::of(y).below_zero()), -1),
         || 1.0 - exp2_by::<SELECTS>(y),
     )
 }

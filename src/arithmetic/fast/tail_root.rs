@@ -70,7 +70,7 @@ impl TailRoot {
         let near = y > -0.5;
         let part = choose::<SELECTS>(
             near,
-            || -log * leading_31(EXP2_M1.at(exponent.from_zero()), -1),
+            || -log * leading_31(EXP2_M1.at(exponent.below_zero()), -1),
             || 1.0 - cos,
         );
         let root = Scalar::sqrt(part * (1.0 + cos));
