@@ -68,9 +68,10 @@ impl TailRoot {
         };
         let cos = at_most_one(power);
         let near = y > -0.5;
+        // The logarithm is not positive; its size has no −0 for a root to keep.
         let part = choose::<SELECTS>(
             near,
-            || -log * leading_31(EXP2_M1.at(exponent.below_zero()), -1),
+            || log.abs() * leading_31(EXP2_M1.at(exponent.below_zero()), -1),
             || 1.0 - cos,
         );
         let root = Scalar::sqrt(part * (1.0 + cos));
