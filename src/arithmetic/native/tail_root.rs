@@ -60,7 +60,7 @@ impl<T: Native> TailRoot<T> {
 
         let square = (T::ONE + part) * T::exp2(n & 1);
         let lift = T::exp2((n >> 1).wrapping_add(T::LIFT_EXPONENT));
-        let cos = square.sqrt() * lift * T::DROP;
+        let cos = square.sqrt() * (lift * T::DROP);
 
         let power = T::exp2(n.max(T::LEAST_EXPONENT));
         let full = (T::ONE - power) - power * part;
