@@ -12,7 +12,7 @@ use crate::Tails;
 use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::sqrt::unusual;
 use crate::scalar::Scalar;
-use core::f32::consts::{LN_2, LOG2_E};
+use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
 /// What n ≥ 1 needs for it, worked out once.
 #[derive(Clone, Copy, Debug)]
@@ -104,7 +104,13 @@ impl TailRoot {
 fn ln_up<const SELECTS: bool>(lower: f32, upper: f32) -> f32 {
     let (m, e) = split::<SELECTS>(upper);
     let tiny = SELECTS & (upper < f32::MIN_POSITIVE);
-    let less_one = choose::<SELECTS>(e == 0, || -lower, || m - 1.0);
+    // Of floats, a comparison gives a mask; on e LLVM would jump, to either side at random.
+    let near = if SELECTS {
+        upper >= FRAC_1_SQRT_2
+    } else {
+        e == 0
+    };
+    let less_one = choose::<SELECTS>(near, || -lower, || m - 1.0);
     let z = less_one / (f32::from_bits(m.to_bits().wrapping_sub(24 << 23)) + DOWN);
     z * horner(z * z, &LN_UP) + float(e.wrapping_sub(if tiny { 24 } else { 0 })) * (LN_2 * UP)
 }
