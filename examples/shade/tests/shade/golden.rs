@@ -22,10 +22,10 @@ const GOLDEN: [(&str, u64); 12] = [
     ("hard_shadow", 0x63EE_03F1_3477_051F),
     ("soft_shadow", 0x7D4D_403A_BC39_5D38),
     ("box", 0x7521_EB09_D14E_42AF),
-    ("gloss", 0xCBA6_259D_0C2E_7A01),
+    ("gloss", 0xAAD9_9BE5_2672_648D),
     ("depth_of_field", 0xC391_E478_E4C8_734D),
     ("fog", 0x3335_7164_2D86_66EF),
-    ("all", 0x5BE8_8BD7_F3F6_6511),
+    ("all", 0xFAD6_1BBE_D6D9_0474),
     ("flat_lamp", 0xD8B8_1E35_E48D_61C4),
     ("flat_bounces", 0x0DAD_B796_DF86_B663),
 ];
