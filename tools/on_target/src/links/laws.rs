@@ -7,7 +7,7 @@ use crate::boards::Board;
 use crate::failure::Result;
 use crate::types::{FIXED, FIXED16, TYPES, laws};
 use indicatif::ProgressBar;
-use kit::{Id, promises_ulps};
+use kit::Id;
 
 /// The types to look at: all where there is an FPU, elsewhere those that firmware takes first.
 fn types(board: &Board) -> &'static [&'static str] {
@@ -124,11 +124,9 @@ const KERNELS: [(&str, &[&str]); 11] = [
 
 /// One of these is in the sampler of the law.
 fn needs(law: &str, number: &str) -> &'static [&'static str] {
-    // Made of two uniforms, as in the types of full precision, both do without these kernels.
-    let one_uniform = !promises_ulps(number);
     match law {
-        "Disk" if one_uniform || in_integers(number) => &["kepler", "disk"],
-        "SphereShell" if one_uniform => &["cbrt", "root"],
+        // In floats it is made of two uniforms.
+        "Disk" if in_integers(number) => &["kepler"],
         "CosPower" => &["power", "log_exp", "log", "tail_root"],
         _ => &[],
     }
