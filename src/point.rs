@@ -206,7 +206,8 @@ pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
     /// [`Spatial::sample`], then [`uniform::unit`] for [`Ball`](crate::Ball) alone.
     #[inline]
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 3] {
-        let (theta, phi) = (self.draw_theta(rng), T::draw_turn_bits(rng));
+        let Ok(theta) = self.try_draw_theta(rng);
+        let phi = T::draw_turn_bits(rng);
         let at = self.angle_from_bits(theta);
         let r = self.sample_distance(rho, at, rng);
         self.sample_from_bits(theta, phi).map(|c| r * c)

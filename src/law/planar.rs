@@ -21,7 +21,8 @@ pub trait Planar<T: Real>: Law<T> {
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
-        self.sample_from_bits(self.draw_theta(rng))
+        let Ok(theta) = self.try_draw_theta(rng);
+        self.sample_from_bits(theta)
     }
 
     /// [`sample`](Planar::sample) with a generator that can fail: the same words in the same order.
@@ -41,13 +42,6 @@ pub trait Planar<T: Real>: Law<T> {
     #[inline(always)]
     fn try_draw_theta<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<TailBits<T>, R::Error> {
         T::try_draw_tail_bits(rng)
-    }
-
-    /// [`try_draw_theta`](Planar::try_draw_theta) of a generator that cannot fail.
-    #[inline(always)]
-    fn draw_theta<R: Rng + ?Sized>(&self, rng: &mut R) -> TailBits<T> {
-        let Ok(bits) = self.try_draw_theta(rng);
-        bits
     }
 
     /// The direction that [`sample`](Planar::sample) makes of the words it draws.
@@ -70,7 +64,10 @@ pub trait Planar<T: Real>: Law<T> {
         T: Batch,
     {
         batch::map(
-            batch::PlanarDraws(|| self.draw_theta(rng)),
+            batch::PlanarDraws(|| {
+                let Ok(theta) = self.try_draw_theta(rng);
+                theta
+            }),
             out,
             #[inline(always)]
             |bits| self.sample_from_bits(bits),

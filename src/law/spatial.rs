@@ -26,8 +26,8 @@ pub trait Spatial<T: Real>: Law<T> {
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 3] {
-        let tail = self.draw_theta(rng);
-        self.sample_from_bits(tail, T::draw_turn_bits(rng))
+        let Ok(theta) = self.try_draw_theta(rng);
+        self.sample_from_bits(theta, T::draw_turn_bits(rng))
     }
 
     /// [`sample`](Spatial::sample) with a generator that can fail: the same words in the same
@@ -37,8 +37,8 @@ pub trait Spatial<T: Real>: Law<T> {
     /// The generator's first error, handed on; no word is drawn after it.
     #[inline]
     fn try_sample<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[T; 3], R::Error> {
-        let tail = self.try_draw_theta(rng)?;
-        Ok(self.sample_from_bits(tail, T::try_draw_turn_bits(rng)?))
+        let theta = self.try_draw_theta(rng)?;
+        Ok(self.sample_from_bits(theta, T::try_draw_turn_bits(rng)?))
     }
 
     /// Draws the words that [`sample_from_bits`](Spatial::sample_from_bits) makes θ of: what
@@ -49,13 +49,6 @@ pub trait Spatial<T: Real>: Law<T> {
     #[inline(always)]
     fn try_draw_theta<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<TailBits<T>, R::Error> {
         T::try_draw_tail_bits(rng)
-    }
-
-    /// [`try_draw_theta`](Spatial::try_draw_theta) of a generator that cannot fail.
-    #[inline(always)]
-    fn draw_theta<R: Rng + ?Sized>(&self, rng: &mut R) -> TailBits<T> {
-        let Ok(bits) = self.try_draw_theta(rng);
-        bits
     }
 
     /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
@@ -94,7 +87,10 @@ pub trait Spatial<T: Real>: Law<T> {
         T: Batch,
     {
         batch::map(
-            batch::SpatialDraws(|| (self.draw_theta(rng), T::draw_turn_bits(rng))),
+            batch::SpatialDraws(|| {
+                let Ok(theta) = self.try_draw_theta(rng);
+                (theta, T::draw_turn_bits(rng))
+            }),
             out,
             #[inline(always)]
             |(theta, phi)| self.sample_from_bits(theta, phi),
@@ -126,7 +122,7 @@ pub trait Spatial<T: Real>: Law<T> {
     /// same words, the same bits.
     #[inline]
     fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
-        let theta = self.draw_theta(rng);
+        let Ok(theta) = self.try_draw_theta(rng);
         let at = self.angle_from_bits(theta);
         Sample {
             direction: self.sample_from_bits(theta, T::draw_turn_bits(rng)),

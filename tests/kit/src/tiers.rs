@@ -66,7 +66,7 @@ impl Number for Fast<f32> {
     const EPSILON: f64 = f32::EPSILON as f64;
     const ULP: f64 = 1.0 / 8192.0;
     const ERROR: f64 = 1.0 / 4096.0;
-    const GRID: f64 = 1.0 / 32768.0; // its roots have 16 bits
+    const GRID: f64 = 1.0 / 32768.0; // its cube root has 16 bits
     const TAIL_WORDS: Drawn = (1, 0);
     const TURN_WORDS: Drawn = (1, 0);
     fn theta_words(law: Id) -> Drawn {
