@@ -17,7 +17,7 @@
 //! those words, always the same number of them.
 
 use crate::number::Real;
-use crate::number::tier::Tier;
+use crate::number::tier::{Bits, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -36,6 +36,12 @@ pub type TurnBits<T> = <T as Tier>::TurnBits;
 #[inline]
 pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
     T::tails_from_bits(bits)
+}
+
+/// The tails of which the upper one is (n + ½) of as many parts as there are words n.
+#[inline(always)]
+pub(crate) fn upper_tails<T: Real>(n: TurnBits<T>) -> Tails<T> {
+    T::tails_from_half(<TailBits<T> as Bits>::by_side(n))
 }
 
 /// (cos φ, sin φ) of a uniform azimuth: the word n stands for n + ½ parts of the whole turn.

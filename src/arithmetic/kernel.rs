@@ -37,12 +37,6 @@ pub trait Kernel: Scalar {
 
     /// √f(a), where f(a) is a product or quotient of a, without losing digits where a is subnormal.
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self;
-    /// (∜self, √self) for self ≥ 0.
-    #[inline(always)]
-    fn fourth_root(self) -> (Self, Self) {
-        let root = self.sqrt();
-        (root.sqrt(), root)
-    }
     /// ∛self for self ≥ 0.
     fn cbrt(self) -> Self;
     /// [`cbrt`](Kernel::cbrt) of the upper tail with what rounding took; `None` where nothing is
@@ -99,6 +93,23 @@ pub trait Kernel: Scalar {
     /// (1 − cosⁿθ, cosⁿθ) for n ≥ 1.
     fn power_tails(n: Self::Wide, at: Self::Cosine) -> (Self, Self);
     fn tail_root(n: Self::Wide) -> Self::TailRoot;
+    /// (cos θ, sin θ) with cos³θ = the upper of the tails p.
+    #[inline(always)]
+    fn cube_warp(p: Tails<Self>) -> CosSin<Self> {
+        let cos = p.upper().cbrt();
+        let ratio = (Self::ONE + cos) / (Self::ONE + cos + cos * cos);
+        let sin = Self::sqrt_scaled(p.lower(), |x| x * ratio);
+        CosSin { cos, sin }
+    }
+    /// (cos θ, sin θ) with cos⁴θ = the upper of the tails p.
+    #[inline(always)]
+    fn fourth_power_warp(p: Tails<Self>) -> CosSin<Self> {
+        let square = p.upper().sqrt();
+        CosSin {
+            cos: square.sqrt(),
+            sin: Self::sqrt_scaled(p.lower(), |x| x / (Self::ONE + square)),
+        }
+    }
     /// (cos θ, sin θ) with cosⁿθ = the upper of the tails p, n ≥ 1.
     fn power_warp(p: Tails<Self>, root: Self::TailRoot) -> CosSin<Self>;
 }

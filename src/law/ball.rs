@@ -1,8 +1,9 @@
 //! Uniform by volume in a ball.
 
-use super::Spatial;
+use super::direction::Azimuth;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use super::measure::{Measure, Point};
+use super::{Lambert, Law, Spatial};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -10,8 +11,10 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::{CosSin, Moments, Tails};
-use rand_core::Rng;
+use crate::number::tier::Bits;
+use crate::uniform::{TailBits, TurnBits};
+use crate::{CosSin, Moments, Tails, uniform};
+use rand_core::{Rng, TryRng};
 
 /// Direction of a point uniform **by volume** in a ball tangent to the origin (paper 4.1).
 ///
@@ -95,11 +98,7 @@ impl<W: Kernel> Formulas<W> for Ball {
 
     #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        let (cos, cos_squared) = p.upper().fourth_root();
-        CosSin {
-            cos,
-            sin: W::sqrt_scaled(p.lower(), |x| x / (W::ONE + cos_squared)),
-        }
+        W::fourth_power_warp(p)
     }
 
     #[inline(always)]
@@ -169,9 +168,34 @@ impl Point for Ball {
     }
 }
 
+/// cos²θ = max(u, v) of two uniforms: it is below c² where both are, which has the probability c⁴,
+/// so that one root is taken for the cosine and no quotient for the sine. The rest is
+/// [`Lambert`]'s, whose cos²θ is u.
 impl<T: Real> Spatial<T> for Ball {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
         pdf_solid_angle(self, theta)
     }
+
+    #[inline(always)]
+    fn try_draw_theta<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<TailBits<T>, R::Error> {
+        T::try_draw_pair_bits(rng)
+    }
+
+    #[inline(always)]
+    fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
+        Law::warp_spherical(&Lambert, larger(theta), Azimuth::Word(phi))
+    }
+
+    #[inline(always)]
+    fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
+        Law::warp_tails(&Lambert, larger(theta))
+    }
+}
+
+/// Tails of which the upper one is max(u, v).
+#[inline(always)]
+fn larger<T: Real>(theta: TailBits<T>) -> Tails<T> {
+    let (u, v) = theta.split();
+    uniform::upper_tails::<T>(u.max(v))
 }

@@ -22,7 +22,7 @@ impl<T: Real> Azimuth<T> {
     pub(crate) fn quick(self) -> CosSin<T::Quick> {
         match self {
             Azimuth::Word(bits) => T::quick_turn_from_bits(bits),
-            Azimuth::Turn(turn) => at_turn(turn),
+            Azimuth::Turn(turn) => Kernel::at_turn(Holds::from_number(turn)),
         }
     }
 
@@ -30,7 +30,7 @@ impl<T: Real> Azimuth<T> {
     pub(crate) fn accurate(self) -> CosSin<T::Accurate> {
         match self {
             Azimuth::Word(bits) => T::accurate_turn_from_bits(bits),
-            Azimuth::Turn(turn) => at_turn(turn),
+            Azimuth::Turn(turn) => Kernel::at_turn(Holds::from_number(turn)),
         }
     }
 
@@ -44,18 +44,6 @@ impl<T: Real> Azimuth<T> {
             #[inline(always)]
             || self.accurate().to_array(),
         ))
-    }
-}
-
-#[inline(always)]
-fn at_turn<T: Real, W: Holds<T>>(turn: T) -> CosSin<W> {
-    if turn.is_nan() {
-        CosSin {
-            cos: W::NAN,
-            sin: W::NAN,
-        }
-    } else {
-        W::at_turn(W::from_number(turn))
     }
 }
 

@@ -1,10 +1,9 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
-use super::Spatial;
-use super::direction::{Azimuth, spherical};
+use super::direction::Azimuth;
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use super::measure::{Measure, Point};
-use crate::arithmetic::holds::Holds;
+use super::{Lambert, Law, Spatial};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -12,9 +11,9 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::number::tier::{Bits, Margin};
+use crate::number::tier::Bits;
 use crate::uniform::{TailBits, TurnBits};
-use crate::{CosSin, Moments, Tails};
+use crate::{CosSin, Moments, Tails, uniform};
 use rand_core::{Rng, TryRng};
 
 /// Direction of a point of a **radial shell** on a sphere tangent to the origin (paper 4.2,
@@ -100,12 +99,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
 
     #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        let cos = p.upper().cbrt();
-        let ratio = (W::ONE + cos) / (W::ONE + cos + cos * cos);
-        CosSin {
-            cos,
-            sin: W::sqrt_scaled(p.lower(), |x| x * ratio),
-        }
+        W::cube_warp(p)
     }
 
     #[inline(always)]
@@ -119,7 +113,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let Some(wide) = W::cbrt_wide(p) else {
-            return W::angle(self.warp_tails(p));
+            return W::angle(Formulas::warp_tails(self, p));
         };
         let one = W::Wide::from_value(W::ONE);
         let next = one.add(wide);
@@ -182,8 +176,8 @@ fn lower_tail<W: Kernel>(cos: W, sin_squared: W) -> W {
     sin_squared * (W::ONE + cos + cos * cos) / (W::ONE + cos)
 }
 
-/// max(√u, v) of two uniforms: it is below c where u < c² and v < c, which has the probability c³,
-/// so that no cube root is taken.
+/// cos²θ = max(u, v²) of two uniforms: it is below c² where u < c² and v < c, which has the
+/// probability c³, so that no cube root is taken. The rest is [`Lambert`]'s, whose cos²θ is u.
 impl<T: Real> Spatial<T> for SphereShell {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
@@ -197,47 +191,18 @@ impl<T: Real> Spatial<T> for SphereShell {
 
     #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        let azimuth = Azimuth::<T>::Word(phi);
-        let (u, v) = theta.split();
-        let (u, v) = (T::tails_from_half(u), T::tails_from_half(v));
-        T::rounded(
-            Margin::Relative,
-            #[inline(always)]
-            || {
-                let at = larger(Holds::from_tails(u), Holds::from_tails(v));
-                spherical(at, azimuth.quick())
-            },
-            #[inline(always)]
-            || {
-                let at = larger(Holds::from_tails(u), Holds::from_tails(v));
-                spherical(at, azimuth.accurate())
-            },
-        )
+        Law::warp_spherical(&Lambert, larger_or_square(theta), Azimuth::Word(phi))
     }
 
     #[inline(always)]
     fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
-        let (u, v) = theta.split();
-        let (u, v) = (T::tails_from_half(u), T::tails_from_half(v));
-        CosSin::from_array(T::rounded(
-            Margin::Relative,
-            #[inline(always)]
-            || larger(Holds::from_tails(u), Holds::from_tails(v)).to_array(),
-            #[inline(always)]
-            || larger(Holds::from_tails(u), Holds::from_tails(v)).to_array(),
-        ))
+        Law::warp_tails(&Lambert, larger_or_square(theta))
     }
 }
 
-/// (cos θ, sin θ) with cos θ the larger of √u and v. Of both uniforms the other tail is known too,
-/// from which sin²θ = 1 − cos²θ has all its digits.
+/// Tails of which the upper one is max(u, v²).
 #[inline(always)]
-fn larger<W: Kernel>(u: Tails<W>, v: Tails<W>) -> CosSin<W> {
-    let (root, side) = (u.upper().sqrt(), v.upper());
-    let by_root = root > side;
-    let sin_squared = W::select(by_root, u.lower(), v.lower() * (W::ONE + side));
-    CosSin {
-        cos: if by_root { root } else { side },
-        sin: sin_squared.sqrt(),
-    }
+fn larger_or_square<T: Real>(theta: TailBits<T>) -> Tails<T> {
+    let (u, v) = theta.split();
+    uniform::upper_tails::<T>(u.max(<TailBits<T> as Bits>::square(v)))
 }

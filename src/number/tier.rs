@@ -21,11 +21,16 @@ pub enum Margin {
 /// Random bits, and their halves: a loop over halves is as wide as one over the numbers made of
 /// them.
 pub trait Bits: Copy + Default {
-    type Half: Copy + Default;
+    type Half: Copy + Default + Ord;
     /// The upper half, then the lower. No array: one of two words is handed on as one number,
     /// which a compiler turns around and takes apart.
     fn split(self) -> (Self::Half, Self::Half);
     fn join(upper: Self::Half, lower: Self::Half) -> Self;
+    /// The square of a half, cut off to its upper half.
+    fn square(half: Self::Half) -> Self::Half;
+    /// The word whose upper tail is n and a half: its top bit is the nearer tail's side, the others
+    /// count from there.
+    fn by_side(n: Self::Half) -> Self::Half;
 }
 
 impl Bits for u64 {
@@ -38,6 +43,14 @@ impl Bits for u64 {
     fn join(upper: u32, lower: u32) -> u64 {
         u64::from(upper) << 32 | u64::from(lower)
     }
+    #[inline(always)]
+    fn square(half: u32) -> u32 {
+        (u64::from(half) * u64::from(half) >> 32) as u32
+    }
+    #[inline(always)]
+    fn by_side(n: u32) -> u32 {
+        !n ^ ((!n as i32 >> 31) as u32 >> 1)
+    }
 }
 
 impl Bits for u128 {
@@ -49,6 +62,14 @@ impl Bits for u128 {
     #[inline(always)]
     fn join(upper: u64, lower: u64) -> u128 {
         u128::from(upper) << 64 | u128::from(lower)
+    }
+    #[inline(always)]
+    fn square(half: u64) -> u64 {
+        (u128::from(half) * u128::from(half) >> 64) as u64
+    }
+    #[inline(always)]
+    fn by_side(n: u64) -> u64 {
+        !n ^ ((!n as i64 >> 63) as u64 >> 1)
     }
 }
 
@@ -79,7 +100,7 @@ pub trait Tier: Scalar {
     /// probabilities or azimuths.
     type TailBits: Bits<Half = Self::TurnBits>;
     /// Random bits behind one azimuth.
-    type TurnBits: Copy + Default;
+    type TurnBits: Copy + Default + Ord;
     fn try_draw_tail_bits<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::TailBits, R::Error>;
     /// Those of two uniforms: more words where a tail does not read all the bits.
     #[inline(always)]

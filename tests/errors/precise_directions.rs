@@ -60,6 +60,29 @@ pub(crate) trait Words: Number {
     fn words(rng: &mut Pcg64) -> (TailBits<Self>, TurnBits<Self>);
     /// n + ½ parts of the whole turn, in turns.
     fn turn(bits: TurnBits<Self>) -> (f64, f64);
+    /// The word of θ as two numbers, each of half its bits at the left.
+    fn halves(theta: TailBits<Self>) -> [u64; 2];
+}
+
+/// The law whose warp a sample is, with the nearer tail and whether it is the upper one: of two
+/// uniforms the larger, or the square of one, is Lambert's cos²θ.
+pub(crate) fn drawn_tail<T: Words>(id: Id, theta: TailBits<T>) -> (Id, T, bool) {
+    if !id.has_two_uniforms() {
+        let tails = tails_from_bits::<T>(theta);
+        let upper = tails.upper() < tails.lower();
+        let nearer = if upper { tails.upper() } else { tails.lower() };
+        return (id, nearer, upper);
+    }
+    let [u, v] = T::halves(theta);
+    let square = (u128::from(v) * u128::from(v) >> 64) as u64;
+    let n = u.max(if id == Id::Ball { v } else { square });
+    let upper = n >> 63 == 0;
+    // The number and a half, in units of the last bit of half a word.
+    let unit = 8 * size_of::<TailBits<T>>() as u32 / 2;
+    let whole = (if upper { n } else { !n }) >> (64 - unit);
+    let halves = whole << 1 | 1;
+    let p = T::of(halves as f64 * 0.5f64.powi(unit as i32 + 1));
+    (Id::Lambert, p, upper)
 }
 
 impl Words for Precise<f32> {
@@ -68,6 +91,9 @@ impl Words for Precise<f32> {
     }
     fn turn(bits: u32) -> (f64, f64) {
         ((f64::from(bits) + 0.5) / 2f64.powi(32), 0.0)
+    }
+    fn halves(theta: u64) -> [u64; 2] {
+        [theta >> 32 << 32, theta << 32]
     }
 }
 
@@ -80,6 +106,9 @@ impl Words for Precise<f64> {
         let (high, low) = (bits >> 32, bits & 0xFFFF_FFFF);
         let part = |n: u64, power| (n as f64) * 2f64.powi(power);
         (part(high, -32), part(2 * low + 1, -65))
+    }
+    fn halves(theta: u128) -> [u64; 2] {
+        [(theta >> 64) as u64, theta as u64]
     }
 }
 
@@ -106,17 +135,12 @@ fn directions<T: Words>(id: Id, law: impl Spatial<T>, allowed: f64) {
         (0..3).for_each(|i| worst.judge(got[i], want[i], &place));
 
         let (theta, phi) = T::words(&mut rng);
-        let tails = tails_from_bits::<T>(theta);
-        let upper = tails.upper() < tails.lower();
-        let nearer = if upper { tails.upper() } else { tails.lower() };
+        let (drawn, nearer, upper) = drawn_tail::<T>(id, theta);
         let (hi, lo) = T::turn(phi);
-        let want = components(id, nearer.wide(), upper, azimuth::<Fine<T>>(hi, lo));
+        let want = components(drawn, nearer.wide(), upper, azimuth::<Fine<T>>(hi, lo));
         let place = || format!("{id:?} {} tail {nearer:?} turn {hi:e}", T::NAME);
         let got = law.sample_from_bits(theta, phi);
-        // A sample of this law is not its warp, but the larger of two numbers.
-        if id != Id::SphereShell {
-            (0..3).for_each(|i| worst.judge(got[i], want[i], &place));
-        }
+        (0..3).for_each(|i| worst.judge(got[i], want[i], &place));
 
         // Back again, from the three rounded components.
         let [x, cos, z] = got.map(|c| Fine::<T>::of(c.wide()));

@@ -2,7 +2,7 @@
 //! that the point of the words drawn is off by at most 3 ulp (f64: 3.25, since three of them are
 //! within 0.55).
 
-use crate::precise_directions::{Fine, Words, azimuth, components, error};
+use crate::precise_directions::{Fine, Words, azimuth, components, drawn_tail, error};
 use coslobe::uniform::{self, TailBits, TurnBits};
 use coslobe::{Ball, Lambert, Precise, Radius, SpatialPoint};
 use kit::accuracy::reference::Id;
@@ -38,11 +38,9 @@ fn worst<T: Drawn>(id: Id, law: impl SpatialPoint<T>, n: u32) -> f64 {
         let mut again = rng.clone();
         let got = law.sample_point(radius, &mut rng);
         let (theta, phi) = T::drawn(&mut again);
-        let tails = uniform::tails_from_bits::<T>(theta);
-        let upper = tails.upper() < tails.lower();
-        let nearer = if upper { tails.upper() } else { tails.lower() };
+        let (drawn, nearer, upper) = drawn_tail::<T>(id, theta);
         let (hi, lo) = T::turn(phi);
-        let direction = components(id, nearer.wide(), upper, azimuth::<Fine<T>>(hi, lo));
+        let direction = components(drawn, nearer.wide(), upper, azimuth::<Fine<T>>(hi, lo));
         let mut r = Fine::<T>::of(2.0 * rho.wide()) * direction[1];
         if id == Id::Ball {
             r = r * Fine::<T>::of(uniform::unit::<T, _>(&mut again).wide()).cube_root();

@@ -3,7 +3,7 @@
 
 use coslobe::rand_core::Rng;
 use coslobe::uniform::TailBits;
-use coslobe::{CosSin, Disk, Planar, Spatial, SphereShell};
+use coslobe::{Ball, CosSin, Disk, Planar, Spatial, SphereShell};
 use kit::batch::{BatchNumber, BatchVisitor, every_batch_number};
 use kit::stats::words::pcg;
 
@@ -59,27 +59,28 @@ fn disk<T: BatchNumber>(e: i32) {
     uniform(&what, cubes);
 }
 
-/// Every nearer tail, in cos³ at the horizon and in sin² at the axis.
-fn shell<T: BatchNumber>(e: i32) {
-    let what = format!("SphereShell {} 2^-{e}", T::NAME);
+/// The larger of u and the square of v, or of v, is cos²θ: each tail, in cosᵏ⁺¹θ at the horizon and
+/// in sin²θ at the axis, with the least interval of v for that.
+fn larger<T: BatchNumber>(law: &impl Spatial<T>, k: i32, e: i32) {
+    let what = format!("k = {k} {} 2^-{e}", T::NAME);
+    let squared = i32::from(k == 2);
     let mut rng = pcg(&what);
-    let depth = e as u32;
     let mut draw = |u: &dyn Fn(u64) -> u64, v: &dyn Fn(u64) -> u64| {
         let bits = word::<T>(u(rng.next_u64()), v(rng.next_u64()));
-        let at: CosSin<T> = SphereShell.angle_from_bits(bits);
+        let at: CosSin<T> = law.angle_from_bits(bits);
         let both: [f64; 2] = [at.cos, at.sin].map(Into::into);
         both
     };
     let mut all = |u: &dyn Fn(u64) -> u64, v: &dyn Fn(u64) -> u64, f: &dyn Fn([f64; 2]) -> f64| {
         (0..COUNT).map(|_| f(draw(u, v))).collect::<Vec<_>>()
     };
-    let upper = |depth| move |noise| tail(true, depth, noise);
-    let lower = |noise| tail(false, depth, noise);
-    let cube = |[cos, _]: [f64; 2]| (cos * 2f64.powi(e)).powi(3);
-    uniform(&what, all(&upper(2 * depth), &upper(depth), &cube));
+    let low = |depth: i32| move |noise: u64| noise >> depth;
+    let high = |noise: u64| !(noise >> e);
+    let power = |[cos, _]: [f64; 2]| (cos * 2f64.powi(e)).powi(k + 1);
+    uniform(&what, all(&low(2 * e), &low((2 - squared) * e), &power));
     let square = |scale: i32| move |[_, sin]: [f64; 2]| sin * sin * 2f64.powi(scale);
-    uniform(&what, all(&lower, &|noise| noise, &square(e)));
-    uniform(&what, all(&|noise| noise, &lower, &square(e - 1)));
+    uniform(&what, all(&high, &|noise| noise, &square(e)));
+    uniform(&what, all(&|noise| noise, &high, &square(e - squared)));
 }
 
 struct Halves;
@@ -92,7 +93,8 @@ impl BatchVisitor for Halves {
         };
         for &e in depths {
             disk::<T>(e);
-            shell::<T>(e);
+            larger::<T>(&SphereShell, 2, e);
+            larger::<T>(&Ball, 3, e);
         }
     }
 }

@@ -42,6 +42,10 @@ pub(crate) fn q16(x: f32) -> i32 {
 /// x, or 1 where an error has put x beyond it; NaN as it is.
 #[inline(always)]
 pub(crate) const fn at_most_one(x: f32) -> f32 {
+    if cfg!(target_pointer_width = "64") {
+        // In this form a minimum, which is one instruction.
+        return if 1.0 < x { 1.0 } else { x };
+    }
     const ONE: u32 = 1.0f32.to_bits();
     let bits = x.to_bits();
     let beyond = bits.wrapping_sub(ONE) <= f32::INFINITY.to_bits() - ONE;

@@ -22,12 +22,6 @@ pub(crate) fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
     }
 }
 
-/// √f(a) where f would lose digits of a.
-#[cold]
-fn root_of_subnormal(a: Fast<f32>, f: impl Fn(Fast<f32>) -> Fast<f32>) -> Fast<f32> {
-    Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
-}
-
 /// (cos θ, |sin θ|) by `f32`'s kernel: a power multiplies the relative error of the cosine.
 #[inline(always)]
 fn at_angle_fine(theta: Fast<f32>) -> CosSin<Fast<f32>> {
@@ -67,13 +61,8 @@ impl Kernel for Fast<f32> {
 
     #[inline(always)]
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
-        let tiny = a.0 < f32::MIN_POSITIVE;
-        if root::BY_SELECTS {
-            let up = Self::select(tiny, Fast(f32::ROOT_UP), Self::ONE);
-            let down = Self::select(tiny, Fast(f32::ROOT_DOWN), Self::ONE);
-            Scalar::sqrt(f(a * up)) * down
-        } else if tiny {
-            root_of_subnormal(a, f)
+        if root::BY_SELECTS || a.0 < f32::MIN_POSITIVE {
+            Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
         } else {
             Scalar::sqrt(f(a))
         }

@@ -4,7 +4,7 @@ use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
 use super::root::BY_SELECTS;
 use crate::arithmetic::native::turn::merge_if_odd;
-use crate::arithmetic::native::uniform::f32::{self, tail_of_half};
+use crate::arithmetic::native::uniform::f32::{self, tail_of_half, whole};
 
 /// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n +
 /// 1)·2⁻³³.
@@ -15,16 +15,25 @@ pub(crate) fn tail(bits: u32) -> (f32, bool) {
     (tail_of_half(bits), bits >> 31 != 0)
 }
 
-/// Both tails of the same word, the lower first; the farther, cut off, is put together from its
-/// bits, since a difference may be a routine.
+/// Both tails of the same word, the lower first, each rounded once.
 #[inline(always)]
 pub(crate) fn tails(bits: u32) -> [f32; 2] {
-    let (p, is_upper) = tail(bits);
-    let (p, q) = (p.to_bits(), leading_31(!bits | 1 << 31, -1).to_bits());
-    [
-        f32::from_bits(if is_upper { q } else { p }),
-        f32::from_bits(if is_upper { p } else { q }),
-    ]
+    let is_upper = bits >> 31 != 0;
+    if BY_SELECTS {
+        // The word in the order of the lower tails, which counts them whatever their side.
+        let n = bits ^ ((bits as i32 >> 31) as u32 >> 1);
+        return [whole(n), whole(!n)];
+    }
+    // The farther is put together from its bits, since a difference may be a routine.
+    let (p, q) = (tail_of_half(bits), far_tail(!bits | 1 << 31));
+    if is_upper { [q, p] } else { [p, q] }
+}
+
+/// (n + ½)·2⁻³² for n ≥ 2³¹, rounded: half a place up if the last bit cut off is set, as the half
+/// leaves no tie.
+#[inline(always)]
+fn far_tail(n: u32) -> f32 {
+    f32::from_bits(leading_31(n, -1).to_bits() + (n >> 7 & 1))
 }
 
 /// (cos, sin) of the azimuth (bits + ½)·2⁻³² turns.

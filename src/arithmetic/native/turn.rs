@@ -36,7 +36,8 @@ pub(crate) fn into_quadrant<T: Scalar>(quadrant: u32, at: CosSin<T>) -> CosSin<T
     let (cos, sin) = T::swap_factors_if_odd(quadrant, at.cos, at.sin);
     let behind = quadrant >> 1;
     CosSin {
-        cos: cos.negate_if_odd(quadrant ^ behind),
+        // Each sign in its place already: one operation less than their sum.
+        cos: cos.negate_if_odd(quadrant).negate_if_odd(behind),
         sin: sin.negate_if_odd(behind),
     }
 }

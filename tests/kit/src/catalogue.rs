@@ -50,7 +50,7 @@ impl Id {
 
     /// Whether samples make θ of two uniforms, each of half the bits.
     pub const fn has_two_uniforms(self) -> bool {
-        matches!(self, Id::Disk | Id::SphereShell)
+        matches!(self, Id::Disk | Id::Ball | Id::SphereShell)
     }
 
     /// The law's name, as in the library's documentation and its tables.

@@ -63,6 +63,16 @@ pub(crate) fn tail_of_half(n: u32) -> f32 {
     }
 }
 
+/// (n + ½)·2⁻³², rounded to nearest: never zero; 1 is reached and not passed.
+#[inline(always)]
+pub(crate) fn whole(n: u32) -> f32 {
+    const HIGH: u32 = carrier(-16);
+    const LOW: u32 = carrier(-33);
+    const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
+    let high = f32::from_bits(HIGH | n >> 16) - CARRIERS;
+    high + f32::from_bits(LOW | n << 1 & 0x1_FFFF | 1)
+}
+
 /// x·2⁻³³ for |x| ≥ 1: in the exponent, since a product may be a routine.
 #[inline(always)]
 fn down_33(x: f32) -> f32 {
