@@ -186,6 +186,8 @@ impl<T: Real> Planar<T> for Disk {
 /// its azimuth.
 #[inline(always)]
 fn shadow<W: Kernel>(u: Tails<W>, phi: CosSin<W>) -> [W; 2] {
-    let cos_squared = u.upper() + u.lower() * (phi.sin * phi.sin);
+    // The sign of a square is not worked out.
+    let sin = phi.sin.abs();
+    let cos_squared = u.upper() + u.lower() * (sin * sin);
     [u.lower().sqrt() * phi.cos, cos_squared.sqrt()]
 }
