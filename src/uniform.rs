@@ -6,12 +6,12 @@
 //! | type | words (bits) | p lies on the odd multiples of | p from | rounding to the format |
 //! |---|---|---|---|---|
 //! | `f32` | one `next_u64` (64) | 2⁻⁶⁵ | 2⁻⁶⁵ to ½ | to nearest; exact below 2⁻⁴¹ |
-//! | the coarse type | one `next_u32` (32), the upper half of 64 bits | 2⁻³³ | 2⁻³³ to ½ | to nearest; 1 − p is cut off |
+//! | the coarse type | one `next_u32` (32), the upper half of 64 bits | 2⁻³³ | 2⁻³³ to ½ | to nearest |
 //! | `f64` | two `next_u64` (128) | 2⁻¹²⁹ | 2⁻¹²⁹ to ½ | to nearest; exact below 2⁻⁷⁶ |
 //!
-//! Samples of [`Disk`](crate::Disk) and [`SphereShell`](crate::SphereShell) need two uniforms, and
-//! take each from one half of those bits; for the coarse type they draw one `next_u64`. A half
-//! reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵), and so the law's tails down to 2⁻⁴⁹ (2⁻⁹⁷).
+//! Samples of [`Disk`](crate::Disk), [`Ball`](crate::Ball) and [`SphereShell`](crate::SphereShell)
+//! need two uniforms, and take each from one half of those bits; for the coarse type they draw one
+//! `next_u64`. A half reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵).
 //!
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.

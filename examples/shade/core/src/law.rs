@@ -26,7 +26,7 @@ pub trait Reads {
     const SINE: bool = false;
     /// It is the law of diffuse reflection itself, whose samples all weigh 1.
     const DIFFUSE: bool = false;
-    /// Its samples split a word, each number type in a way of its own. By its warp all types draw
+    /// Its samples split a word, which is another in each number type. By its warp all types draw
     /// the same directions, so that their pictures can be compared.
     const SPLITS: bool = false;
 }

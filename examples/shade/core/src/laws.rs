@@ -45,7 +45,9 @@ impl Reads for Lambert {
 impl Reads for SphereShell {
     const SPLITS: bool = true;
 }
-impl Reads for Ball {}
+impl Reads for Ball {
+    const SPLITS: bool = true;
+}
 impl<T: Number> Reads for CosPower<T> {
     const SINE: bool = true;
 }
