@@ -1,5 +1,4 @@
-//! Straight down, where the sign of zero says nothing, is below the support: as if it had been
-//! reached by negative angles.
+//! What lies on the border of a domain, or beyond it.
 
 use coslobe::CosSin;
 use kit::catalogue::{every_law, every_number};
@@ -18,16 +17,27 @@ impl<T: Number> LawVisitor<T> for Borders {
             assert_eq!(tails, [0.0, 1.0], "{id} at {at:?}");
         }
     }
-    fn spatial<L: SpatialLaw<T>>(&mut self, _: Id, _: L) {}
+    fn spatial<L: SpatialLaw<T>>(&mut self, id: Id, law: L) {
+        let outside = [f64::NAN, f64::INFINITY, -1.0, 2.0].map(T::of);
+        let is_nan = |x: T| x.wide().is_nan();
+        for beyond in outside {
+            let of_theta = law.warp_direction([beyond, T::of(0.25)]);
+            assert!(of_theta.into_iter().all(is_nan), "{id}: {of_theta:?}");
+            let [x, _, z] = law.warp_direction([T::of(0.25), beyond]);
+            assert!(is_nan(x) && is_nan(z), "{id}: azimuth {beyond:?}");
+        }
+    }
 }
 
 impl NumberVisitor for Borders {
     fn number<T: Number>(&mut self) {
-        every_law::<T>(self, &[]);
+        every_law::<T>(self, &[20.0]);
     }
 }
 
+/// Straight down the sign of zero says nothing: below the support, as if it had been reached by
+/// negative angles. And what is no probability or no turn gives a direction that is no number.
 #[test]
-fn straight_down_is_below_every_law_of_the_plane() {
+fn borders_of_the_laws() {
     every_number(&mut Borders);
 }
