@@ -188,23 +188,20 @@ fn turns_of_every_word() {
 
 #[test]
 fn tails() {
-    for bits in (0..=u32::MAX)
-        .step_by(1021)
-        .chain([1, 1 << 31, (1 << 31) - 1, u32::MAX])
+    for bits in
+        (0..=u32::MAX)
+            .step_by(1021)
+            .chain([1, 127, 128, 129, 1 << 31, (1 << 31) - 1, u32::MAX])
     {
         let n = f64::from(bits & !(1 << 31));
         let (p, upper) = uniform::tail(bits);
         assert_eq!(p, ((2.0 * n + 1.0) / 8589934592.0) as f32);
         assert_eq!(upper, bits >= 1 << 31);
         assert!(p > 0.0 && p <= 0.5);
-        let [lower, farther] = if upper { [1, 0] } else { [0, 1] }.map(|i| uniform::tails(bits)[i]);
-        assert_eq!(lower, p);
-        // Cut off, and p itself is rounded.
-        let off = (1.0 - f64::from(p)) - f64::from(farther);
-        assert!(
-            (-0.5f64.powi(25)..0.5f64.powi(23)).contains(&off),
-            "{bits:#x}: {off:e}"
-        );
+        let q = (1.0 - (2.0 * n + 1.0) / 8589934592.0) as f32;
+        let both = if upper { [q, p] } else { [p, q] };
+        assert_eq!(uniform::tails_by::<true>(bits), both, "{bits:#x}");
+        assert_eq!(uniform::tails_by::<false>(bits), both, "{bits:#x}");
     }
 }
 

@@ -18,22 +18,27 @@ pub(crate) fn tail(bits: u32) -> (f32, bool) {
 /// Both tails of the same word, the lower first, each rounded once.
 #[inline(always)]
 pub(crate) fn tails(bits: u32) -> [f32; 2] {
-    let is_upper = bits >> 31 != 0;
-    if BY_SELECTS {
+    tails_by::<BY_SELECTS>(bits)
+}
+
+#[inline(always)]
+pub(super) fn tails_by<const SELECTS: bool>(bits: u32) -> [f32; 2] {
+    if SELECTS {
         // The word in the order of the lower tails, which counts them whatever their side.
         let n = bits ^ ((bits as i32 >> 31) as u32 >> 1);
         return [whole(n), whole(!n)];
     }
     // The farther is put together from its bits, since a difference may be a routine.
-    let (p, q) = (tail_of_half(bits), far_tail(!bits | 1 << 31));
-    if is_upper { [q, p] } else { [p, q] }
+    let (p, q) = (tail_of_half(bits), far_tail(bits << 1 >> 1));
+    if bits >> 31 != 0 { [q, p] } else { [p, q] }
 }
 
-/// (n + ½)·2⁻³² for n ≥ 2³¹, rounded: half a place up if the last bit cut off is set, as the half
-/// leaves no tie.
+/// 1 − (n + ½)·2⁻³² for n < 2³¹, rounded: half a place is added and cut off, since the half of a
+/// unit leaves no tie.
 #[inline(always)]
 fn far_tail(n: u32) -> f32 {
-    f32::from_bits(leading_31(n, -1).to_bits() + (n >> 7 & 1))
+    const HALF_UP: u32 = (1 << 31) - 1 + (1 << 7);
+    f32::from_bits((HALF_UP.wrapping_sub(n) >> 8) + 0.5f32.to_bits())
 }
 
 /// (cos, sin) of the azimuth (bits + ½)·2⁻³² turns.
