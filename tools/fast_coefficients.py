@@ -2,8 +2,10 @@
 
 Two kinds. A float polynomial has f32 coefficients. A fixed-point one is evaluated in 32-bit
 integers: x in Q16, the leading coefficient in Qk, the others in Q(k + 16), and no step of
-Horner's rule leaves 32 bits (checked here). The error is that of the polynomial with its stored
-coefficients, certified by Sollya's supnorm against an interpolant exact to 1e-30.
+Horner's rule leaves 32 bits (checked here). Where |x| <= 1/2 both factors of each product have 16
+bits: vectors multiply them in one instruction, so some polynomials are of half the argument. The
+error is that of the polynomial with its stored coefficients, certified by Sollya's supnorm against
+an interpolant exact to 1e-30.
 """
 
 import subprocess
@@ -42,7 +44,7 @@ def specs(newton):
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
     return [
-        ("CBRT", lambda f: cbrt(1 + f), (0, 1), -15, 15, "cbrt(1 + x)"),
+        ("CBRT", lambda f: cbrt(1 + 2 * f), (0, 0.5), -15, 15, "cbrt(1 + 2x)"),
         ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
         ("TURN_COS", of_square(lambda y: cos(pi / 4 * y)), (0, 1), -13.5, 15, "cos(pi y / 4) in y^2"),
         ("KEPLER_COS", of_square(lambda z: sin(eta(z)) / z), (0, grown(top**2)), -13.7, 15,
@@ -51,8 +53,8 @@ def specs(newton):
          "sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
         ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -14.2, 14,
          "theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
-        ("EXP2", lambda g: mpf(2) ** g / 2, (0, 1 - mpf(2) ** -15), -15, 15, "2^x / 2"),
-        ("EXP2_M1", lambda g: mp.expm1(g * mp.log(2)) / g if abs(g) > mpf(10) ** -60 else mp.log(2), (-0.5, 0), -13.7, 16, "(2^x - 1) / x, x <= 0"),
+        ("EXP2", lambda g: mpf(4) ** g - 2 * g, (0, 0.5), -15, 14, "4^x - 2x"),
+        ("EXP2_M1", lambda g: mp.expm1(g * mp.log(2)) / g if abs(g) > mpf(10) ** -60 else mp.log(2), (-0.375, 0), -13.7, 16, "(2^x - 1) / x, x <= 0"),
         ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
         ("COS", sinc, (0, grown(pi**2 / 4)), -15, None, "the same, finer: cosines are raised to powers"),
         ("HALF_TURN", of_square(lambda x: sin(pi * x) / x), (0, 0.25), -12.9, None, "sin(pi x) / x in x^2, x <= 1/2"),
@@ -63,24 +65,35 @@ def specs(newton):
         ("ATAN", of_square(lambda x: atan(x) / x), (0, 1), -13.1, None, "atan x / x in x^2, |x| <= 1"),
         ("LN", of_square(lambda z: 2 * atanh(z) / z), (0, grown(3 - 2 * sqrt(2)) ** 2), -21, None,
          "2 atanh z / z in z^2, |z| <= 3 - 2 sqrt 2"),
+        ("LN_SHORT", of_square(lambda z: 2 * atanh(z) / z), (0, grown(3 - 2 * sqrt(2)) ** 2), -15, None,
+         "2 atanh z / z in z^2, shorter: for roots of probabilities"),
         ("TAIL_OF_ANGLE", of_square(lambda x: (2 * x - sin(2 * x)) / (2 * pi * x**3)), (0, grown(pi**2 / 4)), -13.1, None,
          "p / eta^3 in eta^2, eta <= pi / 2"),
         ("TAIL_OF_SINE", of_sine, (0, 1), -13.1, None, "p / cos^3 in sin"),
     ]
 
 
-def fit(proxy, interval, wanted, k):
+# Exactly 1 at 0.
+ONE_AT_ZERO = ("CBRT", "EXP2")
+
+
+def fit(proxy, interval, wanted, k, one_at_zero):
     """Sollya's polynomial of least degree with a relative error below 2^wanted."""
     lo, hi = (mp.nstr(mpf(v), 40) for v in interval)
     formula = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(proxy))
     form = "[|SG...|], [lo; hi], floating, relative" if k is None else "kinds(n), [lo; hi], fixed, relative"
+    powers, part, start = "n", "", "lo"
+    if one_at_zero:
+        # Beside 0 there is no choice left, which Remez's exchange does not bear.
+        form = form.replace("kinds(n)", "kinds(n - 1)")
+        powers, part, start = "[|1,...,n|]", ", 1", "lo + (hi - lo) / 32"
     script = f"""
 display = dyadic!; prec = 300!;
 f = horner({formula}); lo = {lo}; hi = {hi}; found = 0;
 procedure kinds(n) {{ var l, i; l = [|{(k or 0) + 16}|]; for i from 2 to n do {{ l = l :. {(k or 0) + 16}; }}; return l :. {k or 0}; }};
-for n from 1 to 9 do {{
+for n from {1 if not one_at_zero else 2} to 9 do {{
   if (found == 0) then {{
-    p = fpminimax(f, n, {form});
+    p = fpminimax(f, {powers}, {form.replace("lo;", start + ";")}{part});
     if (dirtyinfnorm(p / f - 1, [lo; hi]) < 2^({wanted})) then {{
       found = 1;
       for i from 0 to n do {{ print("C", coeff(p, i)); }};
@@ -130,7 +143,7 @@ def write(series_free, newton, text):
         f"pub(crate) const KEPLER_MIDDLE: i32 = {KEPLER_MIDDLE};",
     ]
     for name, f, interval, wanted, k, doc in specs(newton):
-        c, error = fit(series_free(f, *interval, n=28), interval, wanted, k)
+        c, error = fit(series_free(f, *interval, n=28), interval, wanted, k, name in ONE_AT_ZERO)
         print(f"fast: {name}: degree {len(c) - 1}, relative error 2^{mp.nstr(error, 4)}", flush=True)
         lines += ["", f"/// {doc}; relative error 2^{mp.nstr(error, 4)}" + ("" if k is None else f"; k = {k}")]
         if k is None:

@@ -36,7 +36,7 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     if BY_SELECTS {
         let up = if x < f32::MIN_POSITIVE { x * UP } else { x };
         let less = (bits.wrapping_sub(LEAST) as i32 >> 31) as u32 & 24;
-        let root = of_normal(up.to_bits(), 254u32.wrapping_sub(less));
+        let root = of_normal(up.to_bits(), 251u32.wrapping_sub(less));
         f32::from_bits(if bits.wrapping_sub(1) < POSITIVE {
             root
         } else {
@@ -45,34 +45,34 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     } else if unusual(bits) {
         of_unusual(x)
     } else {
-        f32::from_bits(of_normal(bits, 254))
+        f32::from_bits(of_normal(bits, 251))
     }
 }
 
 #[cold]
 fn of_unusual(x: f32) -> f32 {
     if x > 0.0 && x < f32::MIN_POSITIVE {
-        f32::from_bits(of_normal((x * UP).to_bits(), 230))
+        f32::from_bits(of_normal((x * UP).to_bits(), 227))
     } else {
         x
     }
 }
 
-/// Of the pattern of a normal number; some number of others. `bias` is twice the exponent's, less
-/// what the number was scaled up by.
+/// Of the pattern of a normal number; some number of others. `bias` is twice the exponent's, less 3
+/// and what the number was scaled up by.
+///
+/// Vectors multiply factors of 16 bits, and such they are.
 #[inline(always)]
 fn of_normal(bits: u32, bias: u32) -> u32 {
-    const ONE: u32 = 1.0f32.to_bits();
-    let n = (bits >> 23).wrapping_add(bias);
-    let third = n.wrapping_mul(171) >> 9; // n / 3 for n ≤ 509
-    let rest = n.wrapping_sub(third.wrapping_mul(3));
-    // 2^(0, 1/3, 2/3) in Q15.
-    let slope = rest.wrapping_mul(1107).wrapping_add(7410);
-    let part = rest.wrapping_mul(slope).wrapping_add(32768);
-    // That of 1 + f, f from the significand.
-    let f = (bits >> 7) & 0xFFFF;
-    let root = CBRT.at(f as i32).wrapping_add(0x8000) >> 16;
-    let significand = root.wrapping_mul(part) >> 7;
-    let root = significand.wrapping_add(third.wrapping_sub(1) << 23);
-    if bits <= ONE && root > ONE { ONE } else { root }
+    // n / 3 in Q16, for n ≤ 511
+    let thirds = (bits >> 23).wrapping_add(bias).wrapping_mul(21846);
+    let (third, rest) = (thirds >> 16, (thirds >> 14) & 3);
+    // 2^(0, 1/3, 2/3) in Q16.
+    let part = rest.wrapping_mul(rest.wrapping_mul(2214).wrapping_add(14820));
+    let part = part.wrapping_add(1 << 16);
+    // That of 1 + f, f from the significand, less 1.
+    let half = (bits >> 8) & 0x7FFF;
+    let more = CBRT.at(half as i32).wrapping_sub(1 << 31) >> 15;
+    let product = (part >> 2).wrapping_mul(more) >> 7;
+    (third << 23).wrapping_add(part << 7).wrapping_add(product)
 }
