@@ -9,11 +9,11 @@ use super::fixed::FixedPoint;
 /// Half of cbrt 1/2, in Q16.
 pub(crate) const KEPLER_MIDDLE: i32 = 26008;
 
-/// cbrt(1 + 2x); relative error 2^-16.51; k = 15
+/// cbrt(1 - x) - 1; relative error 2^-16.58; k = 16
 pub(crate) const CBRT: FixedPoint<3> = FixedPoint {
-    first: 2147483648,
-    inner: [1429966839, -914974784, 763905718],
-    last: -5750,
+    first: 0,
+    inner: [-1429214302, -518287210, -53766409],
+    last: -8566,
 };
 
 /// 2 sin(pi y / 4) / y in y^2; relative error 2^-18.63; k = 15
@@ -53,18 +53,18 @@ pub(crate) const KEPLER_ANGLE: FixedPoint<6> = FixedPoint {
     last: 28664,
 };
 
-/// 4^x - 2x; relative error 2^-17.8; k = 14
+/// 4^x - 2x - 1; relative error 2^-17.8; k = 14
 pub(crate) const EXP2: FixedPoint<3> = FixedPoint {
-    first: 1073741824,
+    first: 0,
     inner: [-659208862, 1037056800, 446259668],
     last: 3560,
 };
 
-/// (2^x - 1) / x, x <= 0; relative error 2^-15.47; k = 16
+/// (1 - 2^x) / x, x <= 0; relative error 2^-15.47; k = 16
 pub(crate) const EXP2_M1: FixedPoint<1> = FixedPoint {
-    first: 2976979299,
-    inner: [1028719287],
-    last: 3301,
+    first: 1317987997,
+    inner: [-1028653751],
+    last: -3301,
 };
 
 /// sin x / x in x^2, |x| <= pi / 2; relative error 2^-13.17

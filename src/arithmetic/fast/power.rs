@@ -145,18 +145,20 @@ impl Exponent {
         // What follows the sum's exponent is (y + 128)·2¹⁵: in place, 2ʸ but for its significand's
         // curve, 2ˣ − x of the fraction x.
         let half = (self.0 & 0x7FFF) as i32;
-        let curve = EXP2.at(half) >> 7;
-        f32::from_bits((self.0 << 8).wrapping_add(curve).wrapping_add(254 << 23))
+        let curve = (EXP2.at(half) as i32 >> 7) as u32;
+        f32::from_bits((self.0 << 8).wrapping_add(curve).wrapping_add(255 << 23))
     }
 
-    /// y in Q16 for −½ ≤ y ≤ 0.
+    /// (2ʸ − 1)/y for −⅜ < y ≤ 0.
     #[inline(always)]
-    pub(crate) fn below_zero(self) -> i32 {
-        (self.0 << 17) as i32 >> 16
+    pub(crate) fn slope(self) -> f32 {
+        // y in Q16
+        let y = (self.0 << 17) as i32 >> 16;
+        leading_31(EXP2_M1.at(y).wrapping_neg(), -1)
     }
 }
 
-/// Above it, 2ʸ − 1 is y times a polynomial.
+/// Above it, 2ʸ − 1 is y times [`Exponent::slope`].
 pub(crate) const NEAR_ZERO: f32 = -0.375;
 
 #[cold]
@@ -243,7 +245,7 @@ pub(super) fn one_minus_exp_by<const SELECTS: bool>(x: f32) -> f32 {
     let y = x * LOG2_E;
     choose::<SELECTS>(
         y > NEAR_ZERO,
-        || -y * leading_31(EXP2_M1.at(Exponent::of(y).below_zero()), -1),
+        || -y * Exponent::of(y).slope(),
         || 1.0 - exp2_by::<SELECTS>(y),
     )
 }

@@ -30,13 +30,16 @@ pub(crate) fn choose<const SELECTS: bool>(
 /// ∛x for finite x > 0, any other x as it is. Of no number up to 1 it is above 1.
 #[inline]
 pub(crate) fn cbrt(x: f32) -> f32 {
-    const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
     const POSITIVE: u32 = f32::INFINITY.to_bits() - 1;
     let bits = x.to_bits();
     if BY_SELECTS {
-        let up = if x < f32::MIN_POSITIVE { x * UP } else { x };
-        let less = (bits.wrapping_sub(LEAST) as i32 >> 31) as u32 & 24;
-        let root = of_normal(up.to_bits(), 251u32.wrapping_sub(less));
+        let factor = f32::select(x < f32::MIN_POSITIVE, UP, 1.0);
+        let up = (x * factor).to_bits();
+        let n = up
+            .wrapping_sub(factor.to_bits())
+            .wrapping_add((BIAS + 127) << 23)
+            >> 23;
+        let root = of_normal(up, n);
         f32::from_bits(if bits.wrapping_sub(1) < POSITIVE {
             root
         } else {
@@ -45,34 +48,41 @@ pub(crate) fn cbrt(x: f32) -> f32 {
     } else if unusual(bits) {
         of_unusual(x)
     } else {
-        f32::from_bits(of_normal(bits, 251))
+        f32::from_bits(of_normal(bits, (bits >> 23).wrapping_add(BIAS)))
     }
 }
 
 #[cold]
 fn of_unusual(x: f32) -> f32 {
     if x > 0.0 && x < f32::MIN_POSITIVE {
-        f32::from_bits(of_normal((x * UP).to_bits(), 227))
+        let up = (x * UP).to_bits();
+        f32::from_bits(of_normal(up, (up >> 23).wrapping_add(BIAS - 24)))
     } else {
         x
     }
 }
 
-/// Of the pattern of a normal number; some number of others. `bias` is twice the exponent's, less 3
-/// and what the number was scaled up by.
+/// n of the greatest power of two not above 1 is 3·127 − 3 more than its exponent.
+const BIAS: u32 = 251;
+
+/// ∛2, so that the root of 1 is 1 and that of no number below it is more.
+const PART_Q14: u32 = 20642;
+const PART_Q23: u32 = 10_568_920;
+
+/// Of the pattern of a normal number, n its exponent and [`BIAS`]; some number of others.
 ///
-/// Vectors multiply factors of 16 bits, and such they are.
+/// 2(1 − x) is the significand, and all products are of 16 bits.
 #[inline(always)]
-fn of_normal(bits: u32, bias: u32) -> u32 {
+fn of_normal(bits: u32, n: u32) -> u32 {
     // n / 3 in Q16, for n ≤ 511
-    let thirds = (bits >> 23).wrapping_add(bias).wrapping_mul(21846);
-    let (third, rest) = (thirds >> 16, (thirds >> 14) & 3);
-    // 2^(0, 1/3, 2/3) in Q16.
-    let part = rest.wrapping_mul(rest.wrapping_mul(2214).wrapping_add(14820));
-    let part = part.wrapping_add(1 << 16);
-    // That of 1 + f, f from the significand, less 1.
-    let half = (bits >> 8) & 0x7FFF;
-    let more = CBRT.at(half as i32).wrapping_sub(1 << 31) >> 15;
-    let product = (part >> 2).wrapping_mul(more) >> 7;
-    (third << 23).wrapping_add(part << 7).wrapping_add(product)
+    let thirds = n.wrapping_mul(21846);
+    let rest = (thirds >> 14) & 3;
+    // 2^(1/3, 2/3, 1) in Q16, less the first
+    let more = rest.wrapping_mul(rest.wrapping_mul(2789).wrapping_add(18673));
+    let part = (more >> 2).wrapping_add(PART_Q14);
+    let x = !(bits >> 8) & 0x7FFF;
+    let less = CBRT.at(x as i32) as i32 >> 16;
+    let product = (part as i32).wrapping_mul(less) >> 7;
+    let root = (thirds & 0xFFFF_0000).wrapping_add(more) << 7;
+    root.wrapping_add(PART_Q23).wrapping_add(product as u32)
 }

@@ -4,8 +4,8 @@
 //! 0 the first factor is −y times a polynomial, so that sin θ has its digits beside the axis. For
 //! large n y itself may underflow there: sin θ is the root of the logarithm times that of 1/n.
 
-use super::coefficients::{EXP2_M1, LN_SHORT};
-use super::fixed::{horner, leading_31};
+use super::coefficients::LN_SHORT;
+use super::fixed::horner;
 use super::power::{Exponent, NEAR_ZERO, float, split};
 use super::root::{BY_SELECTS, UP, choose};
 use crate::Tails;
@@ -64,11 +64,7 @@ impl TailRoot {
             (exponent.power(), exponent)
         };
         let near = inside & (y > NEAR_ZERO);
-        let part = choose::<SELECTS>(
-            near,
-            || log * leading_31(EXP2_M1.at(exponent.below_zero()), -1),
-            || 1.0 - cos,
-        );
+        let part = choose::<SELECTS>(near, || log * exponent.slope(), || 1.0 - cos);
         let root = Scalar::sqrt(part * (1.0 + cos));
         let sin = choose::<SELECTS>(near, || root * self.side, || root);
         (cos, sin)
