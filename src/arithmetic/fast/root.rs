@@ -27,62 +27,60 @@ pub(crate) fn choose<const SELECTS: bool>(
     }
 }
 
-/// ∛x for finite x > 0, any other x as it is. Of no number up to 1 it is above 1.
+/// ∛x for x > 0, at most moderately large (2¹⁰⁰); ±0 and NaN as they are. Of no number up to 1 it
+/// is above 1.
 #[inline]
 pub(crate) fn cbrt(x: f32) -> f32 {
-    const POSITIVE: u32 = f32::INFINITY.to_bits() - 1;
-    let bits = x.to_bits();
-    if BY_SELECTS {
-        let factor = f32::select(x < f32::MIN_POSITIVE, UP, 1.0);
-        let up = (x * factor).to_bits();
-        let n = up
-            .wrapping_sub(factor.to_bits())
-            .wrapping_add((BIAS + 127) << 23)
-            >> 23;
-        let root = of_normal(up, n);
-        f32::from_bits(if bits.wrapping_sub(1) < POSITIVE {
-            root
-        } else {
-            bits
-        })
-    } else if unusual(bits) {
+    cbrt_by::<BY_SELECTS>(x)
+}
+
+#[inline(always)]
+pub(super) fn cbrt_by<const SELECTS: bool>(x: f32) -> f32 {
+    if SELECTS {
+        // Scaled up always: no choice for subnormal numbers.
+        f32::select(x > 0.0, of_scaled(x), x)
+    } else if unusual(x.to_bits()) {
         of_unusual(x)
     } else {
-        f32::from_bits(of_normal(bits, (bits >> 23).wrapping_add(BIAS)))
+        of_normal(x.to_bits(), BIAS)
     }
 }
 
 #[cold]
 fn of_unusual(x: f32) -> f32 {
     if x > 0.0 && x < f32::MIN_POSITIVE {
-        let up = (x * UP).to_bits();
-        f32::from_bits(of_normal(up, (up >> 23).wrapping_add(BIAS - 24)))
+        of_scaled(x)
     } else {
         x
     }
 }
 
-/// n of the greatest power of two not above 1 is 3·127 − 3 more than its exponent.
+#[inline(always)]
+fn of_scaled(x: f32) -> f32 {
+    of_normal((x * UP).to_bits(), BIAS - 24)
+}
+
+/// Twice the exponent's, and 3 less, as the root's significand adds its leading one.
 const BIAS: u32 = 251;
 
 /// ∛2, so that the root of 1 is 1 and that of no number below it is more.
 const PART_Q14: u32 = 20642;
 const PART_Q23: u32 = 10_568_920;
 
-/// Of the pattern of a normal number, n its exponent and [`BIAS`]; some number of others.
+/// Of the pattern of a normal number, whose exponent has `bias` less 3·126; some number of others.
 ///
 /// 2(1 − x) is the significand, and all products are of 16 bits.
 #[inline(always)]
-fn of_normal(bits: u32, n: u32) -> u32 {
+fn of_normal(bits: u32, bias: u32) -> f32 {
     // n / 3 in Q16, for n ≤ 511
-    let thirds = n.wrapping_mul(21846);
-    let rest = (thirds >> 14) & 3;
+    let thirds = (bits >> 23).wrapping_add(bias).wrapping_mul(21846);
+    let (one, two) = ((thirds >> 14) & 3, (thirds >> 15) & 1);
     // 2^(1/3, 2/3, 1) in Q16, less the first
-    let more = rest.wrapping_mul(rest.wrapping_mul(2789).wrapping_add(18673));
-    let part = (more >> 2).wrapping_add(PART_Q14);
-    let x = !(bits >> 8) & 0x7FFF;
+    let more = one.wrapping_mul(21462).wrapping_add(two.wrapping_mul(5578));
+    let part = (more >> 2).wrapping_add(PART_Q14) & 0x7FFF;
+    let x = (bits >> 8) & 0x7FFF ^ 0x7FFF;
     let less = CBRT.at(x as i32) as i32 >> 16;
     let product = (part as i32).wrapping_mul(less) >> 7;
     let root = (thirds & 0xFFFF_0000).wrapping_add(more) << 7;
-    root.wrapping_add(PART_Q23).wrapping_add(product as u32)
+    f32::from_bits(root.wrapping_add(PART_Q23).wrapping_add(product as u32))
 }
