@@ -42,6 +42,7 @@ def specs(newton):
     tail = lambda s: mpf(1) / 2 - (asin(s) + s * sqrt(1 - s * s)) / pi
     of_sine = lambda s: (tail(s) / (1 - s * s) ** mpf("1.5") if s < 1 - mpf(10) ** -30 else 2 / (3 * pi))
     grown = lambda x: x * (1 + mpf(2) ** -12)
+    of_twice = lambda f: (lambda x: f(2 * x if abs(x) > mpf(10) ** -60 else mpf(10) ** -60))
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
     return [
@@ -55,7 +56,7 @@ def specs(newton):
         ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -14.2, 14,
          "theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
         ("EXP2", lambda g: mpf(4) ** g - 2 * g, (0, 0.5), -15, 14, "4^x - 2x - 1"),
-        ("EXP2_M1", lambda g: -mp.expm1(g * mp.log(2)) / g if abs(g) > mpf(10) ** -60 else -mp.log(2), (-0.375, 0), -13.7, 16, "(1 - 2^x) / x, x <= 0"),
+        ("EXP2_M1", of_twice(lambda y: -mp.expm1(-y * mp.log(2)) / y), (0, 0.1875), -13.7, 16, "(1 - 2^-y) / y, y = 2x"),
         ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
         ("COS", sinc, (0, grown(pi**2 / 4)), -15, None, "the same, finer: cosines are raised to powers"),
         ("HALF_TURN", of_square(lambda x: sin(pi * x) / x), (0, 0.25), -12.9, None, "sin(pi x) / x in x^2, x <= 1/2"),

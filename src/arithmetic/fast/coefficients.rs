@@ -60,11 +60,11 @@ pub(crate) const EXP2: FixedPoint<3> = FixedPoint {
     last: 3560,
 };
 
-/// (1 - 2^x) / x, x <= 0; relative error 2^-15.47; k = 16
+/// (1 - 2^-y) / y, y = 2x; relative error 2^-15.47; k = 16
 pub(crate) const EXP2_M1: FixedPoint<1> = FixedPoint {
-    first: 1317987997,
-    inner: [-1028653751],
-    last: -3301,
+    first: 2976978990,
+    inner: [-2057327767],
+    last: 13203,
 };
 
 /// sin x / x in x^2, |x| <= pi / 2; relative error 2^-13.17

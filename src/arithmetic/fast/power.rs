@@ -152,9 +152,8 @@ impl Exponent {
     /// (2ʸ − 1)/y for −⅜ < y ≤ 0.
     #[inline(always)]
     pub(crate) fn slope(self) -> f32 {
-        // y in Q16
-        let y = (self.0 << 17) as i32 >> 16;
-        leading_31(EXP2_M1.at(y).wrapping_neg(), -1)
+        let half = (self.0.wrapping_neg() & 0x7FFF) as i32;
+        leading_31(EXP2_M1.at(half), -1)
     }
 }
 
