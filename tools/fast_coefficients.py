@@ -46,7 +46,7 @@ def specs(newton):
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
     return [
-        ("CBRT", lambda x: cbrt(1 - x), (0, 0.5), -15, 16, "cbrt(1 - x) - 1"),
+        ("CBRT", lambda x: cbrt(1 - x), (0, 0.5), -15, 16, "cbrt(1 - x), less 1"),
         ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
         ("TURN_COS", of_square(lambda y: cos(pi / 4 * y)), (0, 1), -13.5, 15, "cos(pi y / 4) in y^2"),
         ("KEPLER_COS", of_square(lambda z: sin(eta(z)) / z), (0, grown(top**2)), -13.7, 15,
@@ -55,7 +55,7 @@ def specs(newton):
          "sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
         ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -14.2, 14,
          "theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
-        ("EXP2", lambda g: mpf(4) ** g - 2 * g, (0, 0.5), -15, 14, "4^x - 2x - 1"),
+        ("EXP2", lambda g: mpf(4) ** g - 2 * g, (0, 0.5), -15, 14, "4^x - 2x, less 1"),
         ("EXP2_M1", of_twice(lambda y: -mp.expm1(-y * mp.log(2)) / y), (0, 0.1875), -13.7, 16, "(1 - 2^-y) / y, y = 2x"),
         ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
         ("COS", sinc, (0, grown(pi**2 / 4)), -15, None, "the same, finer: cosines are raised to powers"),

@@ -9,7 +9,7 @@ use super::fixed::FixedPoint;
 /// Half of cbrt 1/2, in Q16.
 pub(crate) const KEPLER_MIDDLE: i32 = 26008;
 
-/// cbrt(1 - x) - 1; relative error 2^-16.58; k = 16
+/// cbrt(1 - x), less 1; relative error 2^-16.58; k = 16
 pub(crate) const CBRT: FixedPoint<3> = FixedPoint {
     first: 0,
     inner: [-1429214302, -518287210, -53766409],
@@ -53,7 +53,7 @@ pub(crate) const KEPLER_ANGLE: FixedPoint<6> = FixedPoint {
     last: 28664,
 };
 
-/// 4^x - 2x - 1; relative error 2^-17.8; k = 14
+/// 4^x - 2x, less 1; relative error 2^-17.8; k = 14
 pub(crate) const EXP2: FixedPoint<3> = FixedPoint {
     first: 0,
     inner: [-659208862, 1037056800, 446259668],

@@ -38,46 +38,53 @@ pub(crate) fn cbrt(x: f32) -> f32 {
 pub(super) fn cbrt_by<const SELECTS: bool>(x: f32) -> f32 {
     if SELECTS {
         // Scaled up always: no choice for subnormal numbers.
-        f32::select(x > 0.0, of_scaled(x), x)
+        f32::select(x > 0.0, of_scaled::<true>(x), x)
     } else if unusual(x.to_bits()) {
         of_unusual(x)
     } else {
-        of_normal(x.to_bits(), BIAS)
+        of_normal::<false>(x.to_bits(), BIAS)
     }
 }
 
 #[cold]
 fn of_unusual(x: f32) -> f32 {
     if x > 0.0 && x < f32::MIN_POSITIVE {
-        of_scaled(x)
+        of_scaled::<false>(x)
     } else {
         x
     }
 }
 
 #[inline(always)]
-fn of_scaled(x: f32) -> f32 {
-    of_normal((x * UP).to_bits(), BIAS - 24)
+fn of_scaled<const SELECTS: bool>(x: f32) -> f32 {
+    of_normal::<SELECTS>((x * UP).to_bits(), BIAS - 24)
 }
 
-/// Twice the exponent's, and 3 less, as the root's significand adds its leading one.
+/// Twice the exponent's, less 3: the leading one of the root's significand counts in its exponent.
 const BIAS: u32 = 251;
 
-/// ∛2, so that the root of 1 is 1 and that of no number below it is more.
+/// ∛2, so that the root of 1 is 1, and that of no number below it more.
 const PART_Q14: u32 = 20642;
 const PART_Q23: u32 = 10_568_920;
 
-/// Of the pattern of a normal number, whose exponent has `bias` less 3·126; some number of others.
+/// Of the pattern of a normal number scaled by 2^([`BIAS`] − `bias`); some number of others.
 ///
-/// 2(1 − x) is the significand, and all products are of 16 bits.
+/// 2(1 − x) is the significand. All factors have 16 bits, as vectors need it, and by selects the
+/// compiler sees that they have.
 #[inline(always)]
-fn of_normal(bits: u32, bias: u32) -> f32 {
+fn of_normal<const SELECTS: bool>(bits: u32, bias: u32) -> f32 {
     // n / 3 in Q16, for n ≤ 511
     let thirds = (bits >> 23).wrapping_add(bias).wrapping_mul(21846);
-    let (one, two) = ((thirds >> 14) & 3, (thirds >> 15) & 1);
+    let rest = (thirds >> 14) & 3;
     // 2^(1/3, 2/3, 1) in Q16, less the first
-    let more = one.wrapping_mul(21462).wrapping_add(two.wrapping_mul(5578));
-    let part = (more >> 2).wrapping_add(PART_Q14) & 0x7FFF;
+    let more = if SELECTS {
+        rest.wrapping_mul(21462)
+            .wrapping_add((rest >> 1).wrapping_mul(5578))
+    } else {
+        rest.wrapping_mul(rest.wrapping_mul(2789).wrapping_add(18673))
+    };
+    let part = (more >> 2).wrapping_add(PART_Q14);
+    let part = if SELECTS { part & 0x7FFF } else { part };
     let x = (bits >> 8) & 0x7FFF ^ 0x7FFF;
     let less = CBRT.at(x as i32) as i32 >> 16;
     let product = (part as i32).wrapping_mul(less) >> 7;
