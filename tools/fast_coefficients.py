@@ -2,8 +2,11 @@
 
 Two kinds. A float polynomial has f32 coefficients. A fixed-point one is evaluated in 32-bit
 integers: x in Q16, the leading coefficient in Qk, the others in Q(k + 16), and no step of
-Horner's rule leaves 32 bits (checked here). The error is that of the polynomial with its stored
-coefficients, certified by Sollya's supnorm against an interpolant exact to 1e-30.
+Horner's rule leaves 32 bits (checked here). Where |x| <= 1/2 both factors of each product have 16
+bits: vectors multiply them in one instruction, if the compiler sees it. It does not of a positive
+sum with a negative term, hence the choice of some arguments and signs. The error is that of the
+polynomial with its stored coefficients, certified by Sollya's supnorm against an interpolant exact
+to 1e-30.
 """
 
 import subprocess
@@ -39,10 +42,11 @@ def specs(newton):
     tail = lambda s: mpf(1) / 2 - (asin(s) + s * sqrt(1 - s * s)) / pi
     of_sine = lambda s: (tail(s) / (1 - s * s) ** mpf("1.5") if s < 1 - mpf(10) ** -30 else 2 / (3 * pi))
     grown = lambda x: x * (1 + mpf(2) ** -12)
+    of_twice = lambda f: (lambda x: f(2 * x if abs(x) > mpf(10) ** -60 else mpf(10) ** -60))
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
     return [
-        ("CBRT", lambda f: cbrt(1 + f), (0, 1), -15, 15, "cbrt(1 + x)"),
+        ("CBRT", lambda x: cbrt(1 - x), (0, 0.5), -15, 16, "cbrt(1 - x), less 1"),
         ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
         ("TURN_COS", of_square(lambda y: cos(pi / 4 * y)), (0, 1), -13.5, 15, "cos(pi y / 4) in y^2"),
         ("KEPLER_COS", of_square(lambda z: sin(eta(z)) / z), (0, grown(top**2)), -13.7, 15,
@@ -51,8 +55,8 @@ def specs(newton):
          "sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
         ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -14.2, 14,
          "theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
-        ("EXP2", lambda g: mpf(2) ** g / 2, (0, 1 - mpf(2) ** -15), -15, 15, "2^x / 2"),
-        ("EXP2_M1", lambda g: mp.expm1(g * mp.log(2)) / g if abs(g) > mpf(10) ** -60 else mp.log(2), (-0.5, 0), -13.7, 16, "(2^x - 1) / x, x <= 0"),
+        ("EXP2", lambda g: mpf(4) ** g - 2 * g, (0, 0.5), -15, 14, "4^x - 2x, less 1"),
+        ("EXP2_M1", of_twice(lambda y: -mp.expm1(-y * mp.log(2)) / y), (0, 0.1875), -13.7, 16, "(1 - 2^-y) / y, y = 2x"),
         ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
         ("COS", sinc, (0, grown(pi**2 / 4)), -15, None, "the same, finer: cosines are raised to powers"),
         ("HALF_TURN", of_square(lambda x: sin(pi * x) / x), (0, 0.25), -12.9, None, "sin(pi x) / x in x^2, x <= 1/2"),
@@ -63,24 +67,35 @@ def specs(newton):
         ("ATAN", of_square(lambda x: atan(x) / x), (0, 1), -13.1, None, "atan x / x in x^2, |x| <= 1"),
         ("LN", of_square(lambda z: 2 * atanh(z) / z), (0, grown(3 - 2 * sqrt(2)) ** 2), -21, None,
          "2 atanh z / z in z^2, |z| <= 3 - 2 sqrt 2"),
+        ("LN_SHORT", of_square(lambda z: 2 * atanh(z) / z), (0, grown(3 - 2 * sqrt(2)) ** 2), -15, None,
+         "2 atanh z / z in z^2, shorter: for roots of probabilities"),
         ("TAIL_OF_ANGLE", of_square(lambda x: (2 * x - sin(2 * x)) / (2 * pi * x**3)), (0, grown(pi**2 / 4)), -13.1, None,
          "p / eta^3 in eta^2, eta <= pi / 2"),
         ("TAIL_OF_SINE", of_sine, (0, 1), -13.1, None, "p / cos^3 in sin"),
     ]
 
 
-def fit(proxy, interval, wanted, k):
+# Exactly 1 at 0, and stored less 1; the error is that of the whole.
+ONE_AT_ZERO = ("CBRT", "EXP2")
+
+
+def fit(proxy, interval, wanted, k, one_at_zero):
     """Sollya's polynomial of least degree with a relative error below 2^wanted."""
     lo, hi = (mp.nstr(mpf(v), 40) for v in interval)
     formula = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(proxy))
     form = "[|SG...|], [lo; hi], floating, relative" if k is None else "kinds(n), [lo; hi], fixed, relative"
+    powers, part, start = "n", "", "lo"
+    if one_at_zero:
+        # Beside 0 there is no choice left, which Remez's exchange does not bear.
+        form = form.replace("kinds(n)", "kinds(n - 1)")
+        powers, part, start = "[|1,...,n|]", ", 1", "lo + (hi - lo) / 32"
     script = f"""
 display = dyadic!; prec = 300!;
 f = horner({formula}); lo = {lo}; hi = {hi}; found = 0;
 procedure kinds(n) {{ var l, i; l = [|{(k or 0) + 16}|]; for i from 2 to n do {{ l = l :. {(k or 0) + 16}; }}; return l :. {k or 0}; }};
-for n from 1 to 9 do {{
+for n from {1 if not one_at_zero else 2} to 9 do {{
   if (found == 0) then {{
-    p = fpminimax(f, n, {form});
+    p = fpminimax(f, {powers}, {form.replace("lo;", start + ";")}{part});
     if (dirtyinfnorm(p / f - 1, [lo; hi]) < 2^({wanted})) then {{
       found = 1;
       for i from 0 to n do {{ print("C", coeff(p, i)); }};
@@ -105,7 +120,7 @@ for n from 1 to 9 do {{
 
 
 def check_range(name, c, interval, k):
-    """Every step of Horner's rule fits a signed 32-bit word, the last sum an unsigned one."""
+    """Every step of Horner's rule fits a signed 32-bit word, a last sum that is never 0 an unsigned one."""
     for i in range(257):
         x = interval[0] + (interval[1] - interval[0]) * mpf(i) / 256
         total = c[-1]
@@ -113,7 +128,7 @@ def check_range(name, c, interval, k):
             product, total = total * x, total * x + a
             assert abs(product) * 2 ** (k + 16) < 2**31, (name, k)
             assert a is c[0] or abs(total) * 2 ** (k + 16) < 2**31 - 2**16, (name, k)
-        assert 0 < total < 2 ** (16 - k), (name, k)
+        assert abs(total) < 2 ** ((16 if c[0] else 15) - k), (name, k)
 
 
 def write(series_free, newton, text):
@@ -130,15 +145,18 @@ def write(series_free, newton, text):
         f"pub(crate) const KEPLER_MIDDLE: i32 = {KEPLER_MIDDLE};",
     ]
     for name, f, interval, wanted, k, doc in specs(newton):
-        c, error = fit(series_free(f, *interval, n=28), interval, wanted, k)
+        c, error = fit(series_free(f, *interval, n=28), interval, wanted, k, name in ONE_AT_ZERO)
         print(f"fast: {name}: degree {len(c) - 1}, relative error 2^{mp.nstr(error, 4)}", flush=True)
         lines += ["", f"/// {doc}; relative error 2^{mp.nstr(error, 4)}" + ("" if k is None else f"; k = {k}")]
         if k is None:
             values = ", ".join(text(v, 24) for v in c)
             lines += [f"pub(crate) const {name}: [f32; {len(c)}] = [{values}];"]
         else:
+            if name in ONE_AT_ZERO:
+                c[0] = mpf(0)
             check_range(name, c, interval, k)
             whole = [int(v * 2 ** (k + 16)) for v in c]
+            whole[0] %= 2**32
             # Half a unit of what a step cuts off rounds it at no cost.
             inner = ", ".join(str(v + 2**15) for v in whole[1:-1])
             lines += [f"pub(crate) const {name}: FixedPoint<{len(c) - 2}> = FixedPoint {{ "

@@ -9,11 +9,11 @@ use super::fixed::FixedPoint;
 /// Half of cbrt 1/2, in Q16.
 pub(crate) const KEPLER_MIDDLE: i32 = 26008;
 
-/// cbrt(1 + x); relative error 2^-16.71; k = 15
+/// cbrt(1 - x), less 1; relative error 2^-16.58; k = 16
 pub(crate) const CBRT: FixedPoint<3> = FixedPoint {
-    first: 2147503624,
-    inner: [714685281, -227479904, 93765510],
-    last: -347,
+    first: 0,
+    inner: [-1429214302, -518287210, -53766409],
+    last: -8566,
 };
 
 /// 2 sin(pi y / 4) / y in y^2; relative error 2^-18.63; k = 15
@@ -53,18 +53,18 @@ pub(crate) const KEPLER_ANGLE: FixedPoint<6> = FixedPoint {
     last: 28664,
 };
 
-/// 2^x / 2; relative error 2^-18.51; k = 15
+/// 4^x - 2x, less 1; relative error 2^-17.8; k = 14
 pub(crate) const EXP2: FixedPoint<3> = FixedPoint {
-    first: 1073744699,
-    inner: [744136577, 259298689, 55847612],
-    last: 222,
+    first: 0,
+    inner: [-659208862, 1037056800, 446259668],
+    last: 3560,
 };
 
-/// (2^x - 1) / x, x <= 0; relative error 2^-14.24; k = 16
+/// (1 - 2^-y) / y, y = 2x; relative error 2^-15.47; k = 16
 pub(crate) const EXP2_M1: FixedPoint<1> = FixedPoint {
-    first: 2976891153,
-    inner: [1026416415],
-    last: 3196,
+    first: 2976978990,
+    inner: [-2057327767],
+    last: 13203,
 };
 
 /// sin x / x in x^2, |x| <= pi / 2; relative error 2^-13.17
@@ -87,6 +87,9 @@ pub(crate) const ATAN: [f32; 5] = [0.99997, -0.33170065, 0.18521503, -0.09192573
 
 /// 2 atanh z / z in z^2, |z| <= 3 - 2 sqrt 2; relative error 2^-23.0
 pub(crate) const LN: [f32; 3] = [2.0000002, 0.666522, 0.41297174];
+
+/// 2 atanh z / z in z^2, shorter: for roots of probabilities; relative error 2^-15.45
+pub(crate) const LN_SHORT: [f32; 2] = [1.9999554, 0.67868716];
 
 /// p / eta^3 in eta^2, eta <= pi / 2; relative error 2^-16.33
 pub(crate) const TAIL_OF_ANGLE: [f32; 4] = [0.21220401, -0.04241085, 0.0039830045, -0.00018663991];

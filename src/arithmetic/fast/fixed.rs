@@ -2,6 +2,10 @@
 
 /// A polynomial of x in Q16: the leading coefficient in Qk, the others in Q(k + 16), the inner ones
 /// with the half unit that rounds their sum to Qk.
+///
+/// SSE2 has a product of 16-bit factors, not of 32-bit ones: loops of vectors gain where the
+/// compiler sees that 0 ≤ x < ½, and of each sum but the last that it is signed or all its terms
+/// are positive.
 pub(crate) struct FixedPoint<const N: usize> {
     pub(crate) first: u32,
     pub(crate) inner: [i32; N],

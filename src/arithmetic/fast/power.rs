@@ -11,17 +11,10 @@ use crate::arithmetic::native::sqrt::unusual;
 use crate::scalar::Scalar;
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
-/// (m, e) with x = m·2ᵉ, m from √½ to √2, for normal x > 0;
-/// by selects, subnormal x is made normal first.
+/// (m, e) with x = m·2ᵉ, m from √½ to √2, for normal x > 0.
 #[inline(always)]
-pub(crate) fn split<const SELECTS: bool>(x: f32) -> (f32, i32) {
-    let tiny = SELECTS & (x < f32::MIN_POSITIVE);
-    let bits = if SELECTS {
-        x * f32::select(tiny, UP, 1.0)
-    } else {
-        x
-    }
-    .to_bits();
+pub(crate) fn split(x: f32) -> (f32, i32) {
+    let bits = x.to_bits();
     let e = (bits.wrapping_sub(FRAC_1_SQRT_2.to_bits()) as i32) >> 23;
     let m = f32::from_bits(bits.wrapping_sub((e << 23) as u32));
     (m, e)
@@ -35,6 +28,16 @@ pub(crate) fn float(e: i32) -> f32 {
         f32::from_bits(CARRIER.to_bits().wrapping_add(e as u32)) - CARRIER
     } else {
         e as f32
+    }
+}
+
+/// By selects, subnormal x is made normal.
+#[inline(always)]
+fn normal<const SELECTS: bool>(x: f32) -> f32 {
+    if SELECTS {
+        x * f32::select(x < f32::MIN_POSITIVE, UP, 1.0)
+    } else {
+        x
     }
 }
 
@@ -71,7 +74,7 @@ pub(super) fn ln_by<const SELECTS: bool>(x: f32) -> f32 {
     if !SELECTS && unusual(x.to_bits()) {
         return ln_of_unusual(x);
     }
-    let (m, e) = split::<SELECTS>(x);
+    let (m, e) = split(normal::<SELECTS>(x));
     at_ends::<SELECTS>(x, sum((m - 1.0) / (m + 1.0), e))
 }
 
@@ -103,7 +106,7 @@ pub(super) fn ln_cos_by<const SELECTS: bool>(cos: f32, sin: f32) -> f32 {
     if !SELECTS && unusual(cos.to_bits()) {
         return ln_of_unusual(cos);
     }
-    let (m, e) = split::<SELECTS>(cos);
+    let (m, e) = split(normal::<SELECTS>(cos));
     let near = e == 0;
     let q = choose::<SELECTS>(near, || sin, || m - 1.0) / (m + 1.0);
     at_ends::<SELECTS>(cos, sum(choose::<SELECTS>(near, || -(q * q), || q), e))
@@ -124,10 +127,10 @@ impl Exponent {
         Exponent((y + SHIFT).to_bits())
     }
 
-    /// −126 if y is less; for y > −300.
+    /// Of y + 64, for −192 ≤ y < 64, rounded as y would be.
     #[inline(always)]
-    pub(crate) fn normal(self) -> Self {
-        Exponent((self.0 as i32).max(LEAST as i32) as u32)
+    pub(crate) fn lifted(y: f32) -> Self {
+        Exponent((y + (SHIFT + 64.0)).to_bits())
     }
 
     /// Where y lies beyond, there is another number here.
@@ -136,22 +139,26 @@ impl Exponent {
         self.0.wrapping_sub(LEAST) < BEYOND - LEAST
     }
 
-    /// 2ʸ.
+    /// 2ʸ; for y ≤ 0 not above 1.
     #[inline(always)]
     pub(crate) fn power(self) -> f32 {
-        // The exponent field of the sum is constant; what follows it is (y + 128)·2¹⁵.
-        let fraction = (self.0 & 0x7FFF) << 1;
-        let n = (self.0 >> 15) & 0xFF;
-        let significand = EXP2.at(fraction as i32) >> 7;
-        f32::from_bits(significand.wrapping_add(n.wrapping_sub(2) << 23))
+        // What follows the sum's exponent is (y + 128)·2¹⁵: in place, 2ʸ but for its significand's
+        // curve, 2ˣ − x of the fraction x.
+        let half = (self.0 & 0x7FFF) as i32;
+        let curve = (EXP2.at(half) as i32 >> 7) as u32;
+        f32::from_bits((self.0 << 8).wrapping_add(curve).wrapping_add(255 << 23))
     }
 
-    /// y in Q16 for −128 ≤ y ≤ 0, where the exponent of the sum is that of 384.
+    /// (2ʸ − 1)/y for −⅜ < y ≤ 0.
     #[inline(always)]
-    pub(crate) fn below_zero(self) -> i32 {
-        (self.0.wrapping_sub(SHIFT.to_bits()) << 1) as i32
+    pub(crate) fn slope(self) -> f32 {
+        let half = (self.0.wrapping_neg() & 0x7FFF) as i32;
+        leading_31(EXP2_M1.at(half), -1)
     }
 }
+
+/// Above it, 2ʸ − 1 is y times [`Exponent::slope`].
+pub(crate) const NEAR_ZERO: f32 = -0.375;
 
 #[cold]
 fn exp2_beyond(y: f32) -> f32 {
@@ -236,8 +243,8 @@ pub(crate) fn one_minus_exp(x: f32) -> f32 {
 pub(super) fn one_minus_exp_by<const SELECTS: bool>(x: f32) -> f32 {
     let y = x * LOG2_E;
     choose::<SELECTS>(
-        y > -0.5,
-        || -y * leading_31(EXP2_M1.at(Exponent::of(y).below_zero()), -1),
+        y > NEAR_ZERO,
+        || -y * Exponent::of(y).slope(),
         || 1.0 - exp2_by::<SELECTS>(y),
     )
 }

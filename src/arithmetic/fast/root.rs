@@ -27,52 +27,67 @@ pub(crate) fn choose<const SELECTS: bool>(
     }
 }
 
-/// ∛x for finite x > 0, any other x as it is. Of no number up to 1 it is above 1.
+/// ∛x for x > 0, at most moderately large (2¹⁰⁰); ±0 and NaN as they are. Of no number up to 1 it
+/// is above 1.
 #[inline]
 pub(crate) fn cbrt(x: f32) -> f32 {
-    const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
-    const POSITIVE: u32 = f32::INFINITY.to_bits() - 1;
-    let bits = x.to_bits();
-    if BY_SELECTS {
-        let up = if x < f32::MIN_POSITIVE { x * UP } else { x };
-        let less = (bits.wrapping_sub(LEAST) as i32 >> 31) as u32 & 24;
-        let root = of_normal(up.to_bits(), 254u32.wrapping_sub(less));
-        f32::from_bits(if bits.wrapping_sub(1) < POSITIVE {
-            root
-        } else {
-            bits
-        })
-    } else if unusual(bits) {
+    cbrt_by::<BY_SELECTS>(x)
+}
+
+#[inline(always)]
+pub(super) fn cbrt_by<const SELECTS: bool>(x: f32) -> f32 {
+    if SELECTS {
+        // Scaled up always: no choice for subnormal numbers.
+        f32::select(x > 0.0, of_scaled::<true>(x), x)
+    } else if unusual(x.to_bits()) {
         of_unusual(x)
     } else {
-        f32::from_bits(of_normal(bits, 254))
+        of_normal::<false>(x.to_bits(), BIAS)
     }
 }
 
 #[cold]
 fn of_unusual(x: f32) -> f32 {
     if x > 0.0 && x < f32::MIN_POSITIVE {
-        f32::from_bits(of_normal((x * UP).to_bits(), 230))
+        of_scaled::<false>(x)
     } else {
         x
     }
 }
 
-/// Of the pattern of a normal number; some number of others. `bias` is twice the exponent's, less
-/// what the number was scaled up by.
 #[inline(always)]
-fn of_normal(bits: u32, bias: u32) -> u32 {
-    const ONE: u32 = 1.0f32.to_bits();
-    let n = (bits >> 23).wrapping_add(bias);
-    let third = n.wrapping_mul(171) >> 9; // n / 3 for n ≤ 509
-    let rest = n.wrapping_sub(third.wrapping_mul(3));
-    // 2^(0, 1/3, 2/3) in Q15.
-    let slope = rest.wrapping_mul(1107).wrapping_add(7410);
-    let part = rest.wrapping_mul(slope).wrapping_add(32768);
-    // That of 1 + f, f from the significand.
-    let f = (bits >> 7) & 0xFFFF;
-    let root = CBRT.at(f as i32).wrapping_add(0x8000) >> 16;
-    let significand = root.wrapping_mul(part) >> 7;
-    let root = significand.wrapping_add(third.wrapping_sub(1) << 23);
-    if bits <= ONE && root > ONE { ONE } else { root }
+fn of_scaled<const SELECTS: bool>(x: f32) -> f32 {
+    of_normal::<SELECTS>((x * UP).to_bits(), BIAS - 24)
+}
+
+/// Twice the exponent's, less 3: the leading one of the root's significand counts in its exponent.
+const BIAS: u32 = 251;
+
+/// ∛2, so that the root of 1 is 1, and that of no number below it more.
+const PART_Q14: u32 = 20642;
+const PART_Q23: u32 = 10_568_920;
+
+/// Of the pattern of a normal number scaled by 2^([`BIAS`] − `bias`); some number of others.
+///
+/// 2(1 − x) is the significand. All factors have 16 bits, as vectors need it, and by selects the
+/// compiler sees that they have.
+#[inline(always)]
+fn of_normal<const SELECTS: bool>(bits: u32, bias: u32) -> f32 {
+    // n / 3 in Q16, for n ≤ 511
+    let thirds = (bits >> 23).wrapping_add(bias).wrapping_mul(21846);
+    let rest = (thirds >> 14) & 3;
+    // 2^(1/3, 2/3, 1) in Q16, less the first
+    let more = if SELECTS {
+        rest.wrapping_mul(21462)
+            .wrapping_add((rest >> 1).wrapping_mul(5578))
+    } else {
+        rest.wrapping_mul(rest.wrapping_mul(2789).wrapping_add(18673))
+    };
+    let part = (more >> 2).wrapping_add(PART_Q14);
+    let part = if SELECTS { part & 0x7FFF } else { part };
+    let x = (bits >> 8) & 0x7FFF ^ 0x7FFF;
+    let less = CBRT.at(x as i32) as i32 >> 16;
+    let product = (part as i32).wrapping_mul(less) >> 7;
+    let root = (thirds & 0xFFFF_0000).wrapping_add(more) << 7;
+    f32::from_bits(root.wrapping_add(PART_Q23).wrapping_add(product as u32))
 }

@@ -4,9 +4,9 @@
 //! 0 the first factor is −y times a polynomial, so that sin θ has its digits beside the axis. For
 //! large n y itself may underflow there: sin θ is the root of the logarithm times that of 1/n.
 
-use super::coefficients::{EXP2_M1, LN};
-use super::fixed::{at_most_one, horner, leading_31};
-use super::power::{Exponent, float, split};
+use super::coefficients::LN_SHORT;
+use super::fixed::horner;
+use super::power::{Exponent, NEAR_ZERO, float, split};
 use super::root::{BY_SELECTS, UP, choose};
 use crate::Tails;
 use crate::arithmetic::native::f32::power_of_two;
@@ -17,7 +17,7 @@ use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 /// What n ≥ 1 needs for it, worked out once.
 #[derive(Clone, Copy, Debug)]
 pub struct TailRoot {
-    /// log₂ e · 2⁻²⁴/n.
+    /// −log₂ e · 2⁻²⁴/n.
     slope: f32,
     /// √(log₂ e · 2⁻²⁴/n), which does not underflow.
     side: f32,
@@ -29,16 +29,12 @@ const ROOT_DOWN: f32 = 1.0 / 4096.0;
 /// √log₂ e.
 const ROOT_LOG2_E: f32 = 1.201_122_4;
 /// Of the logarithm's argument times 2²⁴.
-const LN_UP: [f32; 3] = [
-    LN[0],
-    LN[1] * DOWN * DOWN,
-    LN[2] * DOWN * DOWN * DOWN * DOWN,
-];
+const LN_UP: [f32; 2] = [LN_SHORT[0], LN_SHORT[1] * DOWN * DOWN];
 
 impl TailRoot {
     pub(crate) fn new(n: f32) -> Self {
         TailRoot {
-            slope: LOG2_E * DOWN / n,
+            slope: -LOG2_E * DOWN / n,
             side: ROOT_LOG2_E * ROOT_DOWN / Scalar::sqrt(n),
         }
     }
@@ -55,37 +51,23 @@ impl TailRoot {
         if !SELECTS && unusual(upper.to_bits()) {
             return self.at_unusual(p);
         }
-        let log = ln_up::<SELECTS>(lower, upper);
+        let log = minus_ln_up::<SELECTS>(lower, upper);
         let y = log * self.slope;
-        let exponent = Exponent::of(y);
-        let power = if SELECTS {
-            // Of a subnormal tail 2ʸ may be subnormal too.
-            let tiny = upper < f32::MIN_POSITIVE;
-            let lifted = Exponent::of(y + f32::select(tiny, 64.0, 0.0));
-            lifted.normal().power() * f32::select(tiny, power_of_two(-64), 1.0)
+        let inside = !SELECTS | (upper > 0.0);
+        let (cos, exponent) = if SELECTS {
+            // Of a subnormal tail 2ʸ may be subnormal too; at the end it is the tail, 0 or NaN.
+            let exponent = Exponent::lifted(y);
+            let power = exponent.power() * power_of_two(-64);
+            (f32::select(inside, power, upper), exponent)
         } else {
-            exponent.normal().power()
+            let exponent = Exponent::of(y);
+            (exponent.power(), exponent)
         };
-        let cos = at_most_one(power);
-        let near = y > -0.5;
-        // The logarithm is not positive; its size has no −0 for a root to keep.
-        let part = choose::<SELECTS>(
-            near,
-            || log.abs() * leading_31(EXP2_M1.at(exponent.below_zero()), -1),
-            || 1.0 - cos,
-        );
+        let near = inside & (y > NEAR_ZERO);
+        let part = choose::<SELECTS>(near, || log * exponent.slope(), || 1.0 - cos);
         let root = Scalar::sqrt(part * (1.0 + cos));
         let sin = choose::<SELECTS>(near, || root * self.side, || root);
-        if SELECTS {
-            // The ends: (0, 1) at 0, and NaN.
-            let inside = upper > 0.0;
-            (
-                f32::select(inside, cos, upper),
-                f32::select(inside, sin, lower),
-            )
-        } else {
-            (cos, sin)
-        }
+        (cos, sin)
     }
 
     #[cold]
@@ -98,19 +80,23 @@ impl TailRoot {
     }
 }
 
-/// 2²⁴ ln `upper`, where `lower` is 1 − upper with digits of its own: relative accuracy beside 1
+/// −2²⁴ ln `upper`, where `lower` is 1 − upper with digits of its own: relative accuracy beside 1
 /// too, and no subnormal number for the least of them.
 #[inline(always)]
-fn ln_up<const SELECTS: bool>(lower: f32, upper: f32) -> f32 {
-    let (m, e) = split::<SELECTS>(upper);
-    let tiny = SELECTS & (upper < f32::MIN_POSITIVE);
+fn minus_ln_up<const SELECTS: bool>(lower: f32, upper: f32) -> f32 {
+    let (m, e) = if SELECTS {
+        let (m, e) = split(upper * UP);
+        (m, e.wrapping_sub(24))
+    } else {
+        split(upper)
+    };
     // Of floats, a comparison gives a mask; on e LLVM would jump, to either side at random.
     let near = if SELECTS {
         upper >= FRAC_1_SQRT_2
     } else {
         e == 0
     };
-    let less_one = choose::<SELECTS>(near, || -lower, || m - 1.0);
-    let z = less_one / (f32::from_bits(m.to_bits().wrapping_sub(24 << 23)) + DOWN);
-    z * horner(z * z, &LN_UP) + float(e.wrapping_sub(if tiny { 24 } else { 0 })) * (LN_2 * UP)
+    let less = choose::<SELECTS>(near, || lower, || 1.0 - m);
+    let z = less / (f32::from_bits(m.to_bits().wrapping_sub(24 << 23)) + DOWN);
+    z * horner(z * z, &LN_UP) - float(e) * (LN_2 * UP)
 }

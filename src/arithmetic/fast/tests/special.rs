@@ -1,6 +1,8 @@
 //! Inputs that are not ordinary numbers.
 
-use super::{END, TINY};
+use super::{END, MAX, TINY, TailRoot};
+use crate::Tails;
+use crate::arithmetic::fast::power::Exponent;
 use crate::arithmetic::fast::{angle, kepler, power, root};
 
 /// Nothing panics or leaves its range, whatever the input; NaN in, NaN out.
@@ -44,7 +46,7 @@ fn total() {
 fn special_values() {
     let inf = f32::INFINITY;
     let f = root::cbrt;
-    assert_eq!((f(0.0), f(inf)), (0.0, inf));
+    assert_eq!((f(0.0), f(1.0)), (0.0, 1.0));
     assert!(f(-0.0).is_sign_negative() && f(f32::NAN).is_nan());
     // Subnormals lie in order between 0 and the least normal number.
     let (least, most) = (f(f32::from_bits(1)), f(f32::from_bits(0x007F_FFFF)));
@@ -77,4 +79,34 @@ fn special_values() {
     assert_eq!(kepler::direction_at_tail(0.0).0, 0.0);
     assert_eq!(kepler::direction_at_tail(0.5).1, 0.0);
     assert!(angle::sin_cos(END).0 > 0.0 && kepler::tail_at_angle(END) > 0.0);
+}
+
+/// Every fraction that the power and the root see, below 1.
+#[test]
+fn nothing_rounds_to_more_than_one() {
+    for i in 0..1 << 15 {
+        let power = Exponent::of(-f32::from(i as u16) / 32768.0).power();
+        assert!(power <= 1.0 && (i != 0 || power == 1.0), "{i}: {power}");
+        let x = f32::from_bits(0x3F7F_FFFF - (i << 8));
+        assert!(root::cbrt(x) <= 1.0, "{x}");
+    }
+}
+
+#[test]
+fn roots_of_tails_at_the_ends() {
+    let least = f32::from_bits(1);
+    for n in [1.0, 21.0, 1e30, MAX] {
+        let at = |p| TailRoot::new(n).at(p);
+        assert_eq!(at(Tails::from_lower(0.0)), (1.0, 0.0), "{n}");
+        assert_eq!(at(Tails::from_upper(0.0)), (0.0, 1.0), "{n}");
+        let (cos, sin) = at(Tails::from_upper(f32::NAN));
+        assert!(cos.is_nan() && sin.is_nan());
+        assert!(at(Tails::from_lower(least)).1 > 0.0 || n == MAX, "{n}");
+    }
+    // The tail itself, where it is subnormal.
+    for i in [1, 2, 77, 0x3F_FFFF, 0x7F_FFFF] {
+        let p = f32::from_bits(i);
+        let cos = TailRoot::new(1.0).at(Tails::from_upper(p)).0;
+        assert!((cos - p).abs() <= (p * 1e-4).max(least), "{p:e}: {cos:e}");
+    }
 }

@@ -3,6 +3,7 @@
 use super::TailRoot;
 use crate::Tails;
 use crate::arithmetic::fast::power::{exp_times_by, ln_by, ln_cos_by, one_minus_exp_by};
+use crate::arithmetic::fast::root::cbrt_by;
 
 /// Of two ways to compute a number: any NaN is as good as another.
 fn same(what: &str, [a, b]: [f32; 2], at: [f32; 2]) {
@@ -25,6 +26,9 @@ fn all(x: f32, other: f32) {
     same("exp_times", exp, at);
     let less = [one_minus_exp_by::<true>(x), one_minus_exp_by::<false>(x)];
     same("one_minus_exp", less, at);
+    if x <= super::LARGE {
+        same("cbrt", [cbrt_by::<true>(x), cbrt_by::<false>(x)], at);
+    }
 }
 
 fn tails(p: Tails<f32>) {
