@@ -4,7 +4,7 @@ use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
 use super::root::BY_SELECTS;
 use crate::arithmetic::native::turn::merge_if_odd;
-use crate::arithmetic::native::uniform::f32::{self, tail_of_half, whole};
+use crate::arithmetic::native::uniform::f32::{tail_of_half, whole};
 
 /// A nearer tail and whether it is the upper one: the top bit is the side, the others n give (2n +
 /// 1)·2⁻³³.
@@ -50,13 +50,7 @@ pub(crate) fn turn(bits: u32) -> (f32, f32) {
     let v = y.wrapping_mul(y) >> 14;
     let cos = leading_30(TURN_COS.at(v), 0).to_bits();
     let share = TURN_SIN.at(v);
-    // The same product each way.
-    let sin = if BY_SELECTS {
-        f32::turn(bits).1 * leading_31(share, 2)
-    } else {
-        (rest >> 1 | 1) as f32 * leading_31(share, -31)
-    }
-    .to_bits();
+    let sin = ((rest >> 1 | 1) as f32 * leading_31(share, -31)).to_bits();
     let (cos, sin) = if BY_SELECTS {
         // In half the instructions of masks: both are integers here.
         let odd = quadrant & 1 != 0;
