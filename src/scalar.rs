@@ -58,4 +58,13 @@ pub trait Scalar:
     }
     fn copysign(self, sign: Self) -> Self;
     fn sqrt(self) -> Self;
+    /// A number from 0 to 1 as it is, −0 as 0, any other as NaN.
+    #[inline(always)]
+    fn probability(self) -> Self {
+        if self >= Self::ZERO && self <= Self::ONE {
+            self.abs()
+        } else {
+            Self::NAN
+        }
+    }
 }

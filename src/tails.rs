@@ -17,7 +17,7 @@ impl<T: Scalar> Tails<T> {
     /// The tails at cdf = `u`; NaN for `u` outside \[0, 1\].
     #[inline]
     pub fn from_lower(u: T) -> Self {
-        let lower = domain(u);
+        let lower = u.probability();
         Tails {
             lower,
             upper: T::ONE - lower,
@@ -27,7 +27,7 @@ impl<T: Scalar> Tails<T> {
     /// The tails at sf = `q`; NaN for `q` outside \[0, 1\].
     #[inline]
     pub fn from_upper(q: T) -> Self {
-        let upper = domain(q);
+        let upper = q.probability();
         Tails {
             lower: T::ONE - upper,
             upper,
@@ -99,15 +99,5 @@ impl<T: Scalar> Tails<T> {
             self.lower
         };
         (p, (self.lower - self.upper).sign_bit())
-    }
-}
-
-/// `p` with −0 as +0, NaN outside \[0, 1\].
-#[inline(always)]
-fn domain<T: Scalar>(p: T) -> T {
-    if p >= T::ZERO && p <= T::ONE {
-        p.abs()
-    } else {
-        T::NAN
     }
 }

@@ -137,4 +137,8 @@ impl Scalar for Fast<f32> {
     fn sqrt(self) -> Self {
         Fast(Scalar::sqrt(self.0))
     }
+    #[inline(always)]
+    fn probability(self) -> Self {
+        Fast(self.0.probability())
+    }
 }

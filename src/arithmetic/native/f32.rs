@@ -51,6 +51,23 @@ impl Scalar for f32 {
         self.to_bits() >> 31
     }
 
+    /// By its bits: in vectors one comparison for two, and on boards no routine.
+    #[inline(always)]
+    fn probability(self) -> f32 {
+        const ONE: u32 = 1.0f32.to_bits();
+        if cfg!(target_pointer_width = "64") {
+            let bits = (self + 0.0).to_bits();
+            return f32::from_bits(bits | u32::from(bits > ONE).wrapping_neg());
+        }
+        if self.to_bits() <= ONE {
+            self
+        } else if self.to_bits() == (-0.0f32).to_bits() {
+            0.0
+        } else {
+            f32::NAN
+        }
+    }
+
     #[inline(always)]
     fn swap_if_odd(n: u32, a: f32, b: f32) -> (f32, f32) {
         let difference = (a.to_bits() ^ b.to_bits()) & (n & 1).wrapping_neg();
