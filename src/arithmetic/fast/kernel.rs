@@ -173,6 +173,10 @@ impl Kernel for Fast<f32> {
         )
     }
     #[inline(always)]
+    fn fourth_power_warp(p: Tails<Self>) -> CosSin<Self> {
+        fast(root::fourth_power_warp(p.lower().0, p.upper().0))
+    }
+    #[inline(always)]
     fn tail_root(n: Self) -> TailRoot {
         TailRoot::new(n.0)
     }

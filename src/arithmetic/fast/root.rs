@@ -1,6 +1,7 @@
 //! The cube root: the exponent divided, the significand by an integer polynomial of degree 4.
 
 use super::coefficients::CBRT;
+use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::sqrt::unusual;
 use crate::scalar::Scalar;
 
@@ -90,4 +91,25 @@ fn of_normal<const SELECTS: bool>(bits: u32, bias: u32) -> f32 {
     let product = (part as i32).wrapping_mul(less) >> 7;
     let root = (thirds & 0xFFFF_0000).wrapping_add(more) << 7;
     f32::from_bits(root.wrapping_add(PART_Q23).wrapping_add(product as u32))
+}
+
+/// (cos θ, sin θ) with cos⁴θ = upper.
+///
+/// sin²θ = 1 − cos²θ; beside the axis, where that has no digits left, half the lower tail, with
+/// the error 2⁻¹⁴ either way. Scaled up, so that of a subnormal tail none are lost.
+#[inline(always)]
+pub(crate) fn fourth_power_warp(lower: f32, upper: f32) -> (f32, f32) {
+    const AXIS: f32 = 1.0 / 1024.0;
+    const HALF: f32 = UP * (0.5 + AXIS / 16.0);
+    let square = Scalar::sqrt(upper);
+    let near = if BY_SELECTS {
+        lower < AXIS
+    } else {
+        lower.to_bits() < AXIS.to_bits()
+    };
+    let sin_squared = choose::<BY_SELECTS>(near, || lower * HALF, || UP - square * UP);
+    (
+        Scalar::sqrt(square),
+        Scalar::sqrt(sin_squared) * f32::ROOT_DOWN,
+    )
 }
