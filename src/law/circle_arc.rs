@@ -3,11 +3,14 @@
 use super::Planar;
 use super::formulas::{Formulas, Own, Parameterless, variance};
 use super::measure::{Measure, Point};
+use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
+use crate::number::tier::Margin;
+use crate::uniform::TailBits;
 use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
 
@@ -150,4 +153,24 @@ impl Point for CircleArc {
     }
 }
 
-impl<T: Real> Planar<T> for CircleArc {}
+/// Of the nearer tail alone.
+impl<T: Real> Planar<T> for CircleArc {
+    #[inline(always)]
+    fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
+        let (p, is_upper) = T::nearer_from_bits(bits);
+        T::rounded(
+            Margin::Relative,
+            #[inline(always)]
+            || at_nearer(Holds::from_number(p), is_upper),
+            #[inline(always)]
+            || at_nearer(Holds::from_number(p), is_upper),
+        )
+    }
+}
+
+/// [sin θ, cos θ] at the nearer tail.
+#[inline(always)]
+fn at_nearer<W: Kernel>(p: W, is_upper: bool) -> [W; 2] {
+    let CosSin { cos, sin } = W::half_turn(p);
+    [sin.negate_if(!is_upper), cos]
+}

@@ -22,6 +22,26 @@ pub(crate) fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
     }
 }
 
+/// √f(a) for a/2 ≤ f(a) ≤ a.
+#[inline(always)]
+pub(super) fn sqrt_scaled_by<const SELECTS: bool>(
+    a: Fast<f32>,
+    f: impl Fn(Fast<f32>) -> Fast<f32>,
+) -> Fast<f32> {
+    if SELECTS {
+        Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
+    } else if a.0 < root::SAFE {
+        root_of_subnormal(a, f)
+    } else {
+        Scalar::sqrt(f(a))
+    }
+}
+
+#[cold]
+fn root_of_subnormal(a: Fast<f32>, f: impl Fn(Fast<f32>) -> Fast<f32>) -> Fast<f32> {
+    sqrt_scaled_by::<true>(a, f)
+}
+
 /// (cos θ, |sin θ|) by `f32`'s kernel: a power multiplies the relative error of the cosine.
 #[inline(always)]
 fn at_angle_fine(theta: Fast<f32>) -> CosSin<Fast<f32>> {
@@ -61,11 +81,7 @@ impl Kernel for Fast<f32> {
 
     #[inline(always)]
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
-        if root::BY_SELECTS || a.0 < f32::MIN_POSITIVE {
-            Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
-        } else {
-            Scalar::sqrt(f(a))
-        }
+        sqrt_scaled_by::<{ root::BY_SELECTS }>(a, f)
     }
     #[inline(always)]
     fn cbrt(self) -> Self {

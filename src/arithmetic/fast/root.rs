@@ -93,23 +93,47 @@ fn of_normal<const SELECTS: bool>(bits: u32, bias: u32) -> f32 {
     f32::from_bits(root.wrapping_add(PART_Q23).wrapping_add(product as u32))
 }
 
+/// Half of what is no less is normal.
+pub(crate) const SAFE: f32 = 2.0 * f32::MIN_POSITIVE;
+
+/// Below it, sin²θ of [`fourth_power_warp`] is half the lower tail.
+const AXIS: f32 = 1.0 / 1024.0;
+/// With the error 2⁻¹⁴ of the sine either way.
+const HALF: f32 = 0.5 + AXIS / 16.0;
+
 /// (cos θ, sin θ) with cos⁴θ = upper.
 ///
-/// sin²θ = 1 − cos²θ; beside the axis, where that has no digits left, half the lower tail, with
-/// the error 2⁻¹⁴ either way. Scaled up, so that of a subnormal tail none are lost.
+/// sin²θ = 1 − cos²θ, but beside the axis, where that has no digits left. By selects all is scaled
+/// up, so that of a subnormal tail none are lost.
 #[inline(always)]
 pub(crate) fn fourth_power_warp(lower: f32, upper: f32) -> (f32, f32) {
-    const AXIS: f32 = 1.0 / 1024.0;
-    const HALF: f32 = UP * (0.5 + AXIS / 16.0);
+    fourth_power_warp_by::<BY_SELECTS>(lower, upper)
+}
+
+#[inline(always)]
+pub(super) fn fourth_power_warp_by<const SELECTS: bool>(lower: f32, upper: f32) -> (f32, f32) {
     let square = Scalar::sqrt(upper);
-    let near = if BY_SELECTS {
-        lower < AXIS
+    let sin = if SELECTS {
+        scaled_root(f32::select(
+            lower < AXIS,
+            lower * (UP * HALF),
+            UP - square * UP,
+        ))
+    } else if lower.to_bits() < SAFE.to_bits() {
+        root_of_subnormal_half(lower)
     } else {
-        lower.to_bits() < AXIS.to_bits()
+        let axis = lower.to_bits() < AXIS.to_bits();
+        Scalar::sqrt(if axis { lower * HALF } else { 1.0 - square })
     };
-    let sin_squared = choose::<BY_SELECTS>(near, || lower * HALF, || UP - square * UP);
-    (
-        Scalar::sqrt(square),
-        Scalar::sqrt(sin_squared) * f32::ROOT_DOWN,
-    )
+    (Scalar::sqrt(square), sin)
+}
+
+#[inline(always)]
+fn scaled_root(x: f32) -> f32 {
+    Scalar::sqrt(x) * f32::ROOT_DOWN
+}
+
+#[cold]
+fn root_of_subnormal_half(lower: f32) -> f32 {
+    scaled_root(lower * (UP * HALF))
 }

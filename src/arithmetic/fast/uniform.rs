@@ -37,8 +37,8 @@ pub(super) fn tails_by<const SELECTS: bool>(bits: u32) -> [f32; 2] {
 /// unit leaves no tie.
 #[inline(always)]
 fn far_tail(n: u32) -> f32 {
-    const HALF_UP: u32 = (1 << 31) - 1 + (1 << 7);
-    f32::from_bits((HALF_UP.wrapping_sub(n) >> 8) + 0.5f32.to_bits())
+    let halves = (1 << 24) - (n >> 7);
+    f32::from_bits((halves >> 1) + 0.5f32.to_bits())
 }
 
 /// (cos, sin) of the azimuth (bits + ½)·2⁻³² turns.

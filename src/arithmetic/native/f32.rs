@@ -14,6 +14,12 @@ pub(crate) const fn power_of_two(n: i32) -> f32 {
     f32::from_bits(((127 + n) as u32) << 23)
 }
 
+/// Of −0, and of what is no probability.
+#[cold]
+fn zero_or_nan(x: f32) -> f32 {
+    if x == 0.0 { 0.0 } else { f32::NAN }
+}
+
 impl Scalar for f32 {
     const ZERO: f32 = 0.0;
     const QUARTER: f32 = 0.25;
@@ -61,10 +67,8 @@ impl Scalar for f32 {
         }
         if self.to_bits() <= ONE {
             self
-        } else if self.to_bits() == (-0.0f32).to_bits() {
-            0.0
         } else {
-            f32::NAN
+            zero_or_nan(self)
         }
     }
 

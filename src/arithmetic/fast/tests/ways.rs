@@ -1,9 +1,10 @@
 //! By selects and by branches: the same bits.
 
 use super::TailRoot;
-use crate::Tails;
+use crate::arithmetic::fast::kernel::sqrt_scaled_by;
 use crate::arithmetic::fast::power::{exp_times_by, ln_by, ln_cos_by, one_minus_exp_by};
-use crate::arithmetic::fast::root::cbrt_by;
+use crate::arithmetic::fast::root::{cbrt_by, fourth_power_warp_by};
+use crate::{Fast, Tails};
 
 /// Of two ways to compute a number: any NaN is as good as another.
 fn same(what: &str, [a, b]: [f32; 2], at: [f32; 2]) {
@@ -32,13 +33,28 @@ fn all(x: f32, other: f32) {
 }
 
 fn tails(p: Tails<f32>) {
+    let at = [p.lower(), p.upper()];
+    let pair = |(cos, sin): (f32, f32), other: (f32, f32)| {
+        same("cos", [cos, other.0], at);
+        same("sin", [sin, other.1], at);
+    };
     for n in [1.0, 1.5, 21.0, 1e30, f32::MAX] {
         let root = TailRoot::new(n);
-        let (a, b) = (root.by::<true>(p), root.by::<false>(p));
-        let at = [p.lower(), p.upper()];
-        same("cos", [a.0, b.0], at);
-        same("sin", [a.1, b.1], at);
+        pair(root.by::<true>(p), root.by::<false>(p));
     }
+    let [lower, upper] = at;
+    for ratio in [0.5, 0.6, 1.0] {
+        let f = |x| x * Fast(ratio);
+        let roots = [
+            sqrt_scaled_by::<true>(Fast(lower), f),
+            sqrt_scaled_by::<false>(Fast(lower), f),
+        ];
+        same("sqrt_scaled", roots.map(|x| x.0), at);
+    }
+    pair(
+        fourth_power_warp_by::<true>(lower, upper),
+        fourth_power_warp_by::<false>(lower, upper),
+    );
 }
 
 #[test]
