@@ -45,7 +45,7 @@ impl Bits for u64 {
     }
     #[inline(always)]
     fn square(half: u32) -> u32 {
-        (u64::from(half) * u64::from(half) >> 32) as u32
+        ((u64::from(half) * u64::from(half)) >> 32) as u32
     }
     #[inline(always)]
     fn by_side(n: u32) -> u32 {
@@ -65,7 +65,7 @@ impl Bits for u128 {
     }
     #[inline(always)]
     fn square(half: u64) -> u64 {
-        (u128::from(half) * u128::from(half) >> 64) as u64
+        ((u128::from(half) * u128::from(half)) >> 64) as u64
     }
     #[inline(always)]
     fn by_side(n: u64) -> u64 {

@@ -74,7 +74,7 @@ pub(crate) fn drawn_tail<T: Words>(id: Id, theta: TailBits<T>) -> (Id, T, bool) 
         return (id, nearer, upper);
     }
     let [u, v] = T::halves(theta);
-    let square = (u128::from(v) * u128::from(v) >> 64) as u64;
+    let square = ((u128::from(v) * u128::from(v)) >> 64) as u64;
     let n = u.max(if id == Id::Ball { v } else { square });
     let upper = n >> 63 == 0;
     // The number and a half, in units of the last bit of half a word.

@@ -6,7 +6,6 @@ use crate::arithmetic::fast::tail_root::TailRoot;
 use crate::arithmetic::fast::{angle, kepler, power, root};
 use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::logarithmic::{self, Logarithmic};
-use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::trig;
@@ -20,26 +19,6 @@ pub(crate) fn fast((cos, sin): (f32, f32)) -> CosSin<Fast<f32>> {
         cos: Fast(cos),
         sin: Fast(sin),
     }
-}
-
-/// √f(a) for a/2 ≤ f(a) ≤ a.
-#[inline(always)]
-pub(super) fn sqrt_scaled_by<const SELECTS: bool>(
-    a: Fast<f32>,
-    f: impl Fn(Fast<f32>) -> Fast<f32>,
-) -> Fast<f32> {
-    if SELECTS {
-        Scalar::sqrt(f(a * Fast(f32::ROOT_UP))) * Fast(f32::ROOT_DOWN)
-    } else if a.0 < root::SAFE {
-        root_of_subnormal(a, f)
-    } else {
-        Scalar::sqrt(f(a))
-    }
-}
-
-#[cold]
-fn root_of_subnormal(a: Fast<f32>, f: impl Fn(Fast<f32>) -> Fast<f32>) -> Fast<f32> {
-    sqrt_scaled_by::<true>(a, f)
 }
 
 /// (cos θ, |sin θ|) by `f32`'s kernel: a power multiplies the relative error of the cosine.
@@ -81,7 +60,7 @@ impl Kernel for Fast<f32> {
 
     #[inline(always)]
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
-        sqrt_scaled_by::<{ root::BY_SELECTS }>(a, f)
+        Fast(root::sqrt_scaled(a.0, |x| f(Fast(x)).0))
     }
     #[inline(always)]
     fn cbrt(self) -> Self {

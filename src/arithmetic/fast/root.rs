@@ -94,7 +94,34 @@ fn of_normal<const SELECTS: bool>(bits: u32, bias: u32) -> f32 {
 }
 
 /// Half of what is no less is normal.
-pub(crate) const SAFE: f32 = 2.0 * f32::MIN_POSITIVE;
+const SAFE: f32 = 2.0 * f32::MIN_POSITIVE;
+
+/// √f(a) for a/2 ≤ f(a) ≤ a, without losing digits where that is subnormal.
+#[inline(always)]
+pub(crate) fn sqrt_scaled(a: f32, f: impl Fn(f32) -> f32) -> f32 {
+    sqrt_scaled_by::<BY_SELECTS>(a, f)
+}
+
+#[inline(always)]
+pub(super) fn sqrt_scaled_by<const SELECTS: bool>(a: f32, f: impl Fn(f32) -> f32) -> f32 {
+    if SELECTS {
+        scaled_root(f(a * UP))
+    } else if a.to_bits() < SAFE.to_bits() {
+        root_of_subnormal(a, f)
+    } else {
+        Scalar::sqrt(f(a))
+    }
+}
+
+#[inline(always)]
+fn scaled_root(x: f32) -> f32 {
+    Scalar::sqrt(x) * f32::ROOT_DOWN
+}
+
+#[cold]
+fn root_of_subnormal(a: f32, f: impl Fn(f32) -> f32) -> f32 {
+    scaled_root(f(a * UP))
+}
 
 /// Below it, sin²θ of [`fourth_power_warp`] is half the lower tail.
 const AXIS: f32 = 1.0 / 1024.0;
@@ -114,26 +141,13 @@ pub(crate) fn fourth_power_warp(lower: f32, upper: f32) -> (f32, f32) {
 pub(super) fn fourth_power_warp_by<const SELECTS: bool>(lower: f32, upper: f32) -> (f32, f32) {
     let square = Scalar::sqrt(upper);
     let sin = if SELECTS {
-        scaled_root(f32::select(
-            lower < AXIS,
-            lower * (UP * HALF),
-            UP - square * UP,
-        ))
+        let (half, rest) = (lower * (UP * HALF), UP - square * UP);
+        scaled_root(f32::select(lower < AXIS, half, rest))
     } else if lower.to_bits() < SAFE.to_bits() {
-        root_of_subnormal_half(lower)
+        root_of_subnormal(lower, |x| x * HALF)
     } else {
         let axis = lower.to_bits() < AXIS.to_bits();
         Scalar::sqrt(if axis { lower * HALF } else { 1.0 - square })
     };
     (Scalar::sqrt(square), sin)
-}
-
-#[inline(always)]
-fn scaled_root(x: f32) -> f32 {
-    Scalar::sqrt(x) * f32::ROOT_DOWN
-}
-
-#[cold]
-fn root_of_subnormal_half(lower: f32) -> f32 {
-    scaled_root(lower * (UP * HALF))
 }
