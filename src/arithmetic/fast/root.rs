@@ -1,4 +1,4 @@
-//! The cube root: the exponent divided, the significand by an integer polynomial of degree 4.
+//! Roots. The cube root: the exponent divided, the significand by an integer polynomial of degree 4.
 
 use super::coefficients::CBRT;
 use crate::arithmetic::native::float::Float;
