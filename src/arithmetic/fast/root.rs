@@ -1,4 +1,5 @@
-//! Roots. The cube root: the exponent divided, the significand by an integer polynomial of degree 4.
+//! Roots. Of a cube root the exponent is divided, the significand goes through a polynomial in
+//! integers.
 
 use super::coefficients::CBRT;
 use crate::arithmetic::native::float::Float;
