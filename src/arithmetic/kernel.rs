@@ -93,6 +93,14 @@ pub trait Kernel: Scalar {
     /// (1 − cosⁿθ, cosⁿθ) for n ≥ 1.
     fn power_tails(n: Self::Wide, at: Self::Cosine) -> (Self, Self);
     fn tail_root(n: Self::Wide) -> Self::TailRoot;
+    /// (cos θ, sin θ) with cos²θ = the upper of the tails p.
+    #[inline(always)]
+    fn square_warp(p: Tails<Self>) -> CosSin<Self> {
+        CosSin {
+            cos: p.upper().sqrt(),
+            sin: p.lower().sqrt(),
+        }
+    }
     /// (cos θ, sin θ) with cos³θ = the upper of the tails p.
     #[inline(always)]
     fn cube_warp(p: Tails<Self>) -> CosSin<Self> {

@@ -1,9 +1,9 @@
 //! Uniform by volume in a ball.
 
-use super::direction::Azimuth;
+use super::Spatial;
+use super::direction::{Azimuth, angle_at_square, at_square};
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use super::measure::{Measure, Point};
-use super::{Lambert, Law, Spatial};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -170,7 +170,7 @@ impl Point for Ball {
 
 /// cos²θ = max(u, v) of two uniforms: it is below c² where both are, which has the probability c⁴,
 /// so that one root is taken for the cosine and no quotient for the sine. The rest is
-/// [`Lambert`]'s, whose cos²θ is u.
+/// as with [`Lambert`](crate::Lambert), whose cos²θ is u.
 impl<T: Real> Spatial<T> for Ball {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
@@ -184,12 +184,12 @@ impl<T: Real> Spatial<T> for Ball {
 
     #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        Law::warp_spherical(&Lambert, larger(theta), Azimuth::Word(phi))
+        at_square(larger(theta), Azimuth::Word(phi))
     }
 
     #[inline(always)]
     fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
-        Law::warp_tails(&Lambert, larger(theta))
+        angle_at_square(larger(theta))
     }
 }
 

@@ -1,12 +1,12 @@
 //! A direction's three components, rounded once: the product of two rounded numbers is no longer
 //! one.
 
-use crate::CosSin;
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::number::Real;
 use crate::number::tier::{Margin, Tier};
 use crate::scalar::Scalar;
+use crate::{CosSin, Tails};
 
 /// An azimuth by what it is given as, for either phase of a number type.
 #[derive(Clone, Copy)]
@@ -51,6 +51,35 @@ impl<T: Real> Azimuth<T> {
 #[inline(always)]
 pub(crate) fn spherical<T: Scalar>(at: CosSin<T>, azimuth: CosSin<T>) -> [T; 3] {
     [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
+}
+
+/// The direction with cos²θ = the upper of the tails p, rounded once.
+#[inline(always)]
+pub(crate) fn at_square<T: Real>(p: Tails<T>, azimuth: Azimuth<T>) -> [T; 3] {
+    T::rounded(
+        Margin::Relative,
+        #[inline(always)]
+        || spherical(T::Quick::square_warp(Holds::from_tails(p)), azimuth.quick()),
+        #[inline(always)]
+        || {
+            spherical(
+                T::Accurate::square_warp(Holds::from_tails(p)),
+                azimuth.accurate(),
+            )
+        },
+    )
+}
+
+/// Its (cos θ, sin θ), rounded once.
+#[inline(always)]
+pub(crate) fn angle_at_square<T: Real>(p: Tails<T>) -> CosSin<T> {
+    CosSin::from_array(T::rounded(
+        Margin::Relative,
+        #[inline(always)]
+        || T::Quick::square_warp(Holds::from_tails(p)).to_array(),
+        #[inline(always)]
+        || T::Accurate::square_warp(Holds::from_tails(p)).to_array(),
+    ))
 }
 
 /// (cos θ, sin θ) of a direction, and its azimuth in turns, from 0 to 1.

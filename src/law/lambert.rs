@@ -89,10 +89,7 @@ impl<W: Kernel> Formulas<W> for Lambert {
 
     #[inline(always)]
     fn warp_tails(&self, p: Tails<W>) -> CosSin<W> {
-        CosSin {
-            cos: p.upper().sqrt(),
-            sin: p.lower().sqrt(),
-        }
+        W::square_warp(p)
     }
 
     #[inline(always)]

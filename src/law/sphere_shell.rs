@@ -1,9 +1,9 @@
 //! Uniform by radial thickness on a sphere: the paper's sphere.
 
-use super::direction::Azimuth;
+use super::Spatial;
+use super::direction::{Azimuth, angle_at_square, at_square};
 use super::formulas::{Formulas, Own, Parameterless, pdf_solid_angle, variance};
 use super::measure::{Measure, Point};
-use super::{Lambert, Law, Spatial};
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
@@ -113,7 +113,7 @@ impl<W: Kernel> Formulas<W> for SphereShell {
     #[inline(always)]
     fn quantile_tails(&self, p: Tails<W>) -> W {
         let Some(wide) = W::cbrt_wide(p) else {
-            return W::angle(Formulas::warp_tails(self, p));
+            return W::angle(self.warp_tails(p));
         };
         let one = W::Wide::from_value(W::ONE);
         let next = one.add(wide);
@@ -177,7 +177,8 @@ fn lower_tail<W: Kernel>(cos: W, sin_squared: W) -> W {
 }
 
 /// cos²θ = max(u, v²) of two uniforms: it is below c² where u < c² and v < c, which has the
-/// probability c³, so that no cube root is taken. The rest is [`Lambert`]'s, whose cos²θ is u.
+/// probability c³, so that no cube root is taken. The rest is as with
+/// [`Lambert`](crate::Lambert), whose cos²θ is u.
 impl<T: Real> Spatial<T> for SphereShell {
     #[inline]
     fn pdf_solid_angle(&self, theta: T) -> T {
@@ -191,12 +192,12 @@ impl<T: Real> Spatial<T> for SphereShell {
 
     #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        Law::warp_spherical(&Lambert, larger_or_square(theta), Azimuth::Word(phi))
+        at_square(larger_or_square(theta), Azimuth::Word(phi))
     }
 
     #[inline(always)]
     fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
-        Law::warp_tails(&Lambert, larger_or_square(theta))
+        angle_at_square(larger_or_square(theta))
     }
 }
 
