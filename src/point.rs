@@ -3,6 +3,7 @@
 use crate::arithmetic::holds::Holds;
 use crate::law::Point;
 use crate::number::Real;
+use crate::number::tier::Code;
 use crate::number::tier::Margin;
 use crate::{CosSin, Law, Measure, Planar, Spatial, uniform};
 use core::fmt;
@@ -208,9 +209,9 @@ pub trait SpatialPoint<T: Real>: Spatial<T> + Tangent<T> {
     fn sample_point<R: Rng + ?Sized>(&self, rho: Radius<T>, rng: &mut R) -> [T; 3] {
         let Ok(theta) = self.try_draw_theta(rng);
         let phi = T::draw_turn_bits(rng);
-        let at = self.angle_from_bits(theta);
-        let r = self.sample_distance(rho, at, rng);
-        self.sample_from_bits(theta, phi).map(|c| r * c)
+        let p = self.drawn_tails(theta, Code::Scalar);
+        let r = self.sample_distance(rho, self.drawn_angle(p), rng);
+        self.drawn_direction(p, phi).map(|c| r * c)
     }
 }
 

@@ -6,18 +6,18 @@
 //! | type | words (bits) | p lies on the odd multiples of | p from | rounding to the format |
 //! |---|---|---|---|---|
 //! | `f32` | one `next_u64` (64) | 2⁻⁶⁵ | 2⁻⁶⁵ to ½ | to nearest; exact below 2⁻⁴¹ |
-//! | the coarse type | one `next_u32` (32), the upper half of 64 bits | 2⁻³³ | 2⁻³³ to ½ | to nearest |
+//! | the coarse type | one `next_u32` (31 of its 32), the upper half of 64 bits | 2⁻³² | 2⁻³² to ½ | to nearest |
 //! | `f64` | two `next_u64` (128) | 2⁻¹²⁹ | 2⁻¹²⁹ to ½ | to nearest; exact below 2⁻⁷⁶ |
 //!
 //! Samples of [`Disk`](crate::Disk), [`Ball`](crate::Ball) and [`SphereShell`](crate::SphereShell)
 //! need two uniforms, and take each from one half of those bits; for the coarse type they draw one
-//! `next_u64`. A half reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵).
+//! `next_u64`. A half reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵; the coarse type: 2⁻³²).
 //!
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
 
 use crate::number::Real;
-use crate::number::tier::{Bits, Tier};
+use crate::number::tier::{Bits, Code, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -35,7 +35,7 @@ pub type TurnBits<T> = <T as Tier>::TurnBits;
 /// ```
 #[inline]
 pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
-    T::tails_from_bits(bits)
+    T::tails_from_bits(bits, Code::Scalar)
 }
 
 /// The tails of which the upper one is (n + ½) of as many parts as there are words n.
@@ -58,13 +58,13 @@ pub fn azimuth_from_bits<T: Real>(bits: TurnBits<T>) -> CosSin<T> {
 /// Draws [`tails_from_bits`]: one `next_u64` for `f32`, two (high word first) for `f64`.
 #[inline]
 pub fn tails<T: Real, R: Rng + ?Sized>(rng: &mut R) -> Tails<T> {
-    T::tails_from_bits(T::draw_tail_bits(rng))
+    tails_from_bits::<T>(T::draw_tail_bits(rng))
 }
 
 /// Draws [`azimuth_from_bits`]: one `next_u32` for `f32`, one `next_u64` for `f64`.
 #[inline]
 pub fn azimuth<T: Real, R: Rng + ?Sized>(rng: &mut R) -> CosSin<T> {
-    T::turn_from_bits(T::draw_turn_bits(rng))
+    azimuth_from_bits::<T>(T::draw_turn_bits(rng))
 }
 
 /// A uniform number in (0, 1], of full relative precision towards 0; words as [`tails`].

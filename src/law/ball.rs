@@ -11,7 +11,7 @@ use crate::law::support::{
     spatial, spatial_direction, spatial_direction_tails, spatial_tails, within,
 };
 use crate::number::Real;
-use crate::number::tier::Bits;
+use crate::number::tier::{Bits, Code};
 use crate::uniform::{TailBits, TurnBits};
 use crate::{CosSin, Moments, Tails, uniform};
 use rand_core::{Rng, TryRng};
@@ -182,20 +182,20 @@ impl<T: Real> Spatial<T> for Ball {
         T::try_draw_pair_bits(rng)
     }
 
+    /// Of which the upper one is max(u, v).
     #[inline(always)]
-    fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        at_square(larger(theta), Azimuth::Word(phi))
+    fn drawn_tails(&self, theta: TailBits<T>, _: Code) -> Tails<T> {
+        let (u, v) = theta.split();
+        uniform::upper_tails::<T>(u.max(v))
     }
 
     #[inline(always)]
-    fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
-        angle_at_square(larger(theta))
+    fn drawn_angle(&self, p: Tails<T>) -> CosSin<T> {
+        angle_at_square(p)
     }
-}
 
-/// Tails of which the upper one is max(u, v).
-#[inline(always)]
-fn larger<T: Real>(theta: TailBits<T>) -> Tails<T> {
-    let (u, v) = theta.split();
-    uniform::upper_tails::<T>(u.max(v))
+    #[inline(always)]
+    fn drawn_direction(&self, p: Tails<T>, phi: TurnBits<T>) -> [T; 3] {
+        at_square(p, Azimuth::Word(phi))
+    }
 }

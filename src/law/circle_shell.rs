@@ -9,7 +9,7 @@ use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::number::tier::Margin;
+use crate::number::tier::{Code, Margin};
 use crate::uniform::TailBits;
 use crate::{CosSin, Moments, Tails};
 use rand_core::Rng;
@@ -153,8 +153,8 @@ impl Point for CircleShell {
 /// operations, which count where each is a routine.
 impl<T: Real> Planar<T> for CircleShell {
     #[inline(always)]
-    fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
-        let (p, is_upper) = T::nearer_from_bits(bits);
+    fn sample_by(&self, bits: TailBits<T>, code: Code) -> [T; 2] {
+        let (p, is_upper) = T::nearer_from_bits(bits, code);
         T::rounded(
             Margin::Relative,
             #[inline(always)]

@@ -9,7 +9,7 @@ use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::law::support::{planar, planar_direction, within};
 use crate::number::Real;
-use crate::number::tier::{Bits, Margin};
+use crate::number::tier::{Bits, Code, Margin};
 use crate::uniform::TailBits;
 use crate::{CosSin, Moments, Tails};
 use rand_core::{Rng, TryRng};
@@ -169,7 +169,7 @@ impl<T: Real> Planar<T> for Disk {
     }
 
     #[inline(always)]
-    fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
+    fn sample_by(&self, bits: TailBits<T>, _: Code) -> [T; 2] {
         let (u, phi) = bits.split();
         let u = T::tails_from_half(u);
         T::rounded(

@@ -3,8 +3,9 @@
 use super::Law;
 use crate::batch::{self, Batch, LengthError};
 use crate::number::Real;
+use crate::number::tier::Code;
 use crate::uniform::TailBits;
-use crate::{CosSin, Sample, uniform};
+use crate::{CosSin, Sample};
 use rand_core::{Rng, TryRng};
 
 /// Laws of a direction in the plane.
@@ -47,7 +48,13 @@ pub trait Planar<T: Real>: Law<T> {
     /// The direction that [`sample`](Planar::sample) makes of the words it draws.
     #[inline(always)]
     fn sample_from_bits(&self, bits: TailBits<T>) -> [T; 2] {
-        let CosSin { cos, sin } = self.warp_tails(uniform::tails_from_bits(bits));
+        self.sample_by(bits, Code::Scalar)
+    }
+
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sample_by(&self, bits: TailBits<T>, code: Code) -> [T; 2] {
+        let CosSin { cos, sin } = self.warp_tails(T::tails_from_bits(bits, code));
         [sin, cos]
     }
 
@@ -70,7 +77,7 @@ pub trait Planar<T: Real>: Law<T> {
             }),
             out,
             #[inline(always)]
-            |bits| self.sample_from_bits(bits),
+            |bits| self.sample_by(bits, Code::Vector),
         )
     }
 
@@ -90,7 +97,7 @@ pub trait Planar<T: Real>: Law<T> {
             batch::Words(bits),
             out,
             #[inline(always)]
-            |bits| self.sample_from_bits(bits),
+            |bits| self.sample_by(bits, Code::Vector),
         )
     }
 

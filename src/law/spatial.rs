@@ -4,8 +4,9 @@ use super::Law;
 use super::direction::Azimuth;
 use crate::batch::{self, Batch, LengthError};
 use crate::number::Real;
+use crate::number::tier::Code;
 use crate::uniform::{TailBits, TurnBits};
-use crate::{CosSin, Frame, Sample, Tails, uniform};
+use crate::{CosSin, Frame, Sample, Tails};
 use rand_core::{Rng, TryRng};
 
 /// Laws of a direction in space, uniform in azimuth.
@@ -54,13 +55,34 @@ pub trait Spatial<T: Real>: Law<T> {
     /// The direction that [`sample`](Spatial::sample) makes of the words it draws, θ's and φ's.
     #[inline(always)]
     fn sample_from_bits(&self, theta: TailBits<T>, phi: TurnBits<T>) -> [T; 3] {
-        self.warp_spherical(uniform::tails_from_bits(theta), Azimuth::Word(phi))
+        self.drawn_direction(self.drawn_tails(theta, Code::Scalar), phi)
     }
 
     /// (cos θ, sin θ) of that direction.
     #[inline(always)]
     fn angle_from_bits(&self, theta: TailBits<T>) -> CosSin<T> {
-        self.warp_tails(uniform::tails_from_bits(theta))
+        self.drawn_angle(self.drawn_tails(theta, Code::Scalar))
+    }
+
+    /// The tails that a law makes θ of when it draws.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn drawn_tails(&self, theta: TailBits<T>, code: Code) -> Tails<T> {
+        T::tails_from_bits(theta, code)
+    }
+
+    /// (cos θ, sin θ) at those.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn drawn_angle(&self, p: Tails<T>) -> CosSin<T> {
+        self.warp_tails(p)
+    }
+
+    /// The direction at those.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn drawn_direction(&self, p: Tails<T>, phi: TurnBits<T>) -> [T; 3] {
+        self.warp_spherical(p, Azimuth::Word(phi))
     }
 
     /// What as many calls of [`sample`](Spatial::sample) draw, in that order: a slice for each
@@ -93,7 +115,7 @@ pub trait Spatial<T: Real>: Law<T> {
             }),
             out,
             #[inline(always)]
-            |(theta, phi)| self.sample_from_bits(theta, phi),
+            |(theta, phi)| self.drawn_direction(self.drawn_tails(theta, Code::Vector), phi),
         )
     }
 
@@ -114,7 +136,7 @@ pub trait Spatial<T: Real>: Law<T> {
             (batch::Words(theta), phi),
             out,
             #[inline(always)]
-            |(theta, phi)| self.sample_from_bits(theta, phi),
+            |(theta, phi)| self.drawn_direction(self.drawn_tails(theta, Code::Vector), phi),
         )
     }
 
@@ -123,9 +145,11 @@ pub trait Spatial<T: Real>: Law<T> {
     #[inline]
     fn sample_with_density<R: Rng + ?Sized>(&self, rng: &mut R) -> Sample<T, 3> {
         let Ok(theta) = self.try_draw_theta(rng);
-        let at = self.angle_from_bits(theta);
+        // Once, so that the compiler sees that θ is the same.
+        let p = self.drawn_tails(theta, Code::Scalar);
+        let at = self.drawn_angle(p);
         Sample {
-            direction: self.sample_from_bits(theta, T::draw_turn_bits(rng)),
+            direction: self.drawn_direction(p, T::draw_turn_bits(rng)),
             at,
             density: self.density(at),
         }

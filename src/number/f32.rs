@@ -6,7 +6,7 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f32 as uniform;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Code, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::TryRng;
 
@@ -68,8 +68,8 @@ impl Tier for f32 {
     }
 
     #[inline(always)]
-    fn nearer_from_bits(bits: u64) -> (f32, bool) {
-        (uniform::tail(bits << 1 >> 1), bits >> 63 != 0)
+    fn nearer_from_bits(bits: u64, code: Code) -> (f32, bool) {
+        (uniform::tail(bits << 1 >> 1, code), bits >> 63 != 0)
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@ use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f64 as uniform;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Code, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::TryRng;
 
@@ -69,8 +69,8 @@ impl Tier for f64 {
     }
 
     #[inline(always)]
-    fn nearer_from_bits(bits: u128) -> (f64, bool) {
-        (uniform::tail(bits << 1 >> 1), bits >> 127 != 0)
+    fn nearer_from_bits(bits: u128, code: Code) -> (f64, bool) {
+        (uniform::tail(bits << 1 >> 1, code), bits >> 127 != 0)
     }
 
     #[inline(always)]

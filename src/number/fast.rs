@@ -4,7 +4,7 @@ use crate::arithmetic::fast::kernel::fast;
 use crate::arithmetic::fast::uniform;
 use crate::arithmetic::holds::Holds;
 use crate::number::Real;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Code, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::TryRng;
 
@@ -81,13 +81,13 @@ impl Tier for Fast<f32> {
     }
 
     #[inline(always)]
-    fn nearer_from_bits(bits: u64) -> (Self, bool) {
+    fn nearer_from_bits(bits: u64, _: Code) -> (Self, bool) {
         let (p, is_upper) = uniform::tail((bits >> 32) as u32);
         (Fast(p), is_upper)
     }
 
     #[inline(always)]
-    fn tails_from_bits(bits: u64) -> Tails<Self> {
+    fn tails_from_bits(bits: u64, _: Code) -> Tails<Self> {
         Self::tails_from_half((bits >> 32) as u32)
     }
 

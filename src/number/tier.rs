@@ -3,6 +3,7 @@
 
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::native::format::Native;
+pub(crate) use crate::arithmetic::native::uniform::Code;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::{Rng, TryRng};
@@ -119,11 +120,11 @@ pub trait Tier: Scalar {
         bits
     }
     /// The nearer tail, and whether it is the upper one.
-    fn nearer_from_bits(bits: Self::TailBits) -> (Self, bool);
+    fn nearer_from_bits(bits: Self::TailBits, code: Code) -> (Self, bool);
 
     #[inline(always)]
-    fn tails_from_bits(bits: Self::TailBits) -> Tails<Self> {
-        let (p, is_upper) = Self::nearer_from_bits(bits);
+    fn tails_from_bits(bits: Self::TailBits, code: Code) -> Tails<Self> {
+        let (p, is_upper) = Self::nearer_from_bits(bits, code);
         Tails::from_side(p, is_upper)
     }
     /// A probability of half the bits.

@@ -24,8 +24,8 @@ use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw};
 /// The random bits reach down to 2⁻⁶⁵ in `f32` and 2⁻¹²⁹ in `f64`.
 const DEPTHS_F32: &[u32] = &[24, 40, 60];
 const DEPTHS_F64: &[u32] = &[24, 40, 60, 90, 124];
-/// One word: down to 2⁻³³, and so coarse at 2⁻²⁸ that one value falls in each cell.
-const DEPTHS_FAST: &[u32] = &[16, 24, 28];
+/// One word: down to 2⁻³², and so coarse at 2⁻²⁷ that one value falls in each cell.
+const DEPTHS_FAST: &[u32] = &[16, 24, 27];
 
 const EXPONENTS: [f64; 5] = [0.0, 0.5, 7.3, 200.0, 1e4];
 

@@ -27,7 +27,7 @@ fn the_ends_are_as_documented() {
     }
 }
 
-/// `Precise` has the plain types' uniforms; `Fast` has odd multiples of 2⁻³³, of which it
+/// `Precise` has the plain types' uniforms; `Fast` has odd multiples of 2⁻³², of which it
 /// reads the upper half of its bits alone.
 #[test]
 fn the_tiers_have_their_grids() {
@@ -59,7 +59,7 @@ fn the_tiers_have_their_grids() {
         } else {
             (fast.upper().0, fast.lower().0)
         };
-        let exact = (2.0 * f64::from(word & (u32::MAX >> 1)) + 1.0) * 0.5f64.powi(33);
+        let exact = f64::from(word & (u32::MAX >> 1) | 1) * 0.5f64.powi(32);
         assert_eq!(p, exact as f32, "{word:#x}");
         assert_eq!(other, (1.0 - exact) as f32, "{word:#x}");
     }

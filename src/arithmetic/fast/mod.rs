@@ -35,7 +35,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Its own `+ − × ÷` are those of the format. Randomness: one `next_u32` for θ, in
 /// [`Disk`](crate::Disk), [`Ball`](crate::Ball) and [`SphereShell`](crate::SphereShell) one
 /// `next_u64`, whose halves are two uniforms, and one `next_u32` for the azimuth; the deepest tail
-/// of a uniform is 2⁻³³. Of the 64 bits of a probability that are given, the upper half is read
+/// of a uniform is 2⁻³². Of the 64 bits of a probability that are given, the upper half is read
 /// alone.
 ///
 /// ```

@@ -144,11 +144,10 @@ pub(super) fn fourth_power_warp_by<const SELECTS: bool>(lower: f32, upper: f32) 
     let sin = if SELECTS {
         let (half, rest) = (lower * (UP * HALF), UP - square * UP);
         scaled_root(f32::select(lower < AXIS, half, rest))
-    } else if lower.to_bits() < SAFE.to_bits() {
-        root_of_subnormal(lower, |x| x * HALF)
+    } else if lower.to_bits() >= AXIS.to_bits() {
+        Scalar::sqrt(1.0 - square)
     } else {
-        let axis = lower.to_bits() < AXIS.to_bits();
-        Scalar::sqrt(if axis { lower * HALF } else { 1.0 - square })
+        sqrt_scaled_by::<false>(lower, |x| x * HALF)
     };
     (Scalar::sqrt(square), sin)
 }

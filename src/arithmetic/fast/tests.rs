@@ -198,12 +198,12 @@ fn tails() {
             .step_by(1021)
             .chain([1, 127, 128, 129, 1 << 31, (1 << 31) - 1, u32::MAX])
     {
-        let n = f64::from(bits & !(1 << 31));
+        let exact = f64::from(bits & !(1 << 31) | 1) / 4294967296.0;
         let (p, upper) = uniform::tail(bits);
-        assert_eq!(p, ((2.0 * n + 1.0) / 8589934592.0) as f32);
+        assert_eq!(p, exact as f32);
         assert_eq!(upper, bits >= 1 << 31);
         assert!(p > 0.0 && p <= 0.5);
-        let q = (1.0 - (2.0 * n + 1.0) / 8589934592.0) as f32;
+        let q = (1.0 - exact) as f32;
         let both = if upper { [q, p] } else { [p, q] };
         assert_eq!(uniform::tails_by::<true>(bits), both, "{bits:#x}");
         assert_eq!(uniform::tails_by::<false>(bits), both, "{bits:#x}");

@@ -6,7 +6,7 @@ use super::format::Native;
 use super::pair::Pair;
 use super::sqrt::sqrt;
 use super::table::Table;
-use super::turn::merge_if_odd;
+use super::turn::select_if_odd;
 use crate::arithmetic::constants::Constants;
 use crate::scalar::Scalar;
 
@@ -83,7 +83,10 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn swap_factors_if_odd(n: u32, a: f32, b: f32) -> (f32, f32) {
-        let (a, b) = merge_if_odd(n, a.to_bits(), b.to_bits());
+        if !cfg!(target_pointer_width = "64") {
+            return Self::swap_if_odd(n, a, b);
+        }
+        let (a, b) = select_if_odd(n, a.to_bits(), b.to_bits());
         (f32::from_bits(a), f32::from_bits(b))
     }
 

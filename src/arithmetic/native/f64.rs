@@ -5,6 +5,7 @@ use super::float::Float;
 use super::format::Native;
 use super::pair::Pair;
 use super::table::Table;
+use super::turn::select_if_odd;
 use crate::arithmetic::constants::Constants;
 use crate::scalar::Scalar;
 
@@ -56,6 +57,15 @@ impl Scalar for f64 {
             f64::from_bits(a.to_bits() ^ difference),
             f64::from_bits(b.to_bits() ^ difference),
         )
+    }
+
+    #[inline(always)]
+    fn swap_factors_if_odd(n: u32, a: f64, b: f64) -> (f64, f64) {
+        if !cfg!(target_pointer_width = "64") {
+            return Self::swap_if_odd(n, a, b);
+        }
+        let (a, b) = select_if_odd(n, a.to_bits(), b.to_bits());
+        (f64::from_bits(a), f64::from_bits(b))
     }
 
     #[inline(always)]

@@ -33,30 +33,24 @@ pub(crate) fn at_quadrant<T: Native>(quadrant: u32, x: T) -> CosSin<T> {
 /// The direction `at`, turned on by `quadrant` right angles.
 #[inline(always)]
 pub(crate) fn into_quadrant<T: Scalar>(quadrant: u32, at: CosSin<T>) -> CosSin<T> {
-    let (cos, sin) = T::swap_factors_if_odd(quadrant, at.cos, at.sin);
     let behind = quadrant >> 1;
+    let (cos, sin) = (at.cos.negate_if_odd(behind), at.sin.negate_if_odd(behind));
+    let (cos, sin) = T::swap_factors_if_odd(quadrant, cos, sin);
     CosSin {
-        // Each sign in its place already: one operation less than their sum.
-        cos: cos.negate_if_odd(quadrant).negate_if_odd(behind),
-        sin: sin.negate_if_odd(behind),
+        cos: cos.negate_if_odd(quadrant),
+        sin,
     }
 }
 
-/// The patterns (a, b), or (b, a) if n is odd.
+/// The patterns (a, b), or (b, a) if n is odd, for a processor that selects integers in an
+/// instruction.
 ///
-/// By their difference, which takes the fewest instructions; on x86 by masks. There a compiler
-/// puts the two `f32` into one vector of four, and their difference into its unused lanes. It is
-/// mostly a subnormal number, with which every product takes a hundred cycles more (`Lambert` took
-/// twice the time); masks leave zeros there.
+/// Not by their difference: a compiler puts two `f32` into one vector of four, and the difference
+/// into its unused lanes. It is mostly a subnormal number, with which every product takes a hundred
+/// cycles more (`Lambert` took twice the time).
 #[inline(always)]
-pub(crate) fn merge_if_odd(n: u32, a: u32, b: u32) -> (u32, u32) {
-    if cfg!(any(target_arch = "x86", target_arch = "x86_64")) {
-        let swap = ((n << 31) as i32 >> 31) as u32;
-        ((a & !swap) | (b & swap), (b & !swap) | (a & swap))
-    } else {
-        let difference = (a ^ b) & (n & 1).wrapping_neg();
-        (a ^ difference, b ^ difference)
-    }
+pub(crate) fn select_if_odd<B>(n: u32, a: B, b: B) -> (B, B) {
+    if n & 1 != 0 { (b, a) } else { (a, b) }
 }
 
 /// (q, x): u turns as the nearest q quarters and x turns, for 0 ≤ u ≤ 1.

@@ -8,7 +8,7 @@ use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::uniform::f32::parts_of_turn;
 use crate::number::Real;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Code, Margin, Tier};
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::TryRng;
@@ -113,8 +113,8 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn nearer_from_bits(bits: u64) -> (Self, bool) {
-        let (p, is_upper) = f32::nearer_from_bits(bits);
+    fn nearer_from_bits(bits: u64, code: Code) -> (Self, bool) {
+        let (p, is_upper) = f32::nearer_from_bits(bits, code);
         (Precise(p), is_upper)
     }
 

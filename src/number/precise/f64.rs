@@ -9,7 +9,7 @@ use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::uniform::f64::parts_of_turn;
 use crate::arithmetic::scaled::Scaled;
 use crate::number::Real;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Code, Margin, Tier};
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 use rand_core::TryRng;
@@ -102,8 +102,8 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn nearer_from_bits(bits: u128) -> (Self, bool) {
-        let (p, is_upper) = f64::nearer_from_bits(bits);
+    fn nearer_from_bits(bits: u128, code: Code) -> (Self, bool) {
+        let (p, is_upper) = f64::nearer_from_bits(bits, code);
         (Precise(p), is_upper)
     }
 

@@ -1,6 +1,7 @@
 //! `f32`.
 
-use super::BY_SUMS;
+use super::{Code, WORDS_OF_64};
+use crate::arithmetic::native::f32::power_of_two;
 
 const TWO_TO_MINUS_47: f32 = f32::from_bits((127 - 47) << 23);
 const TWO_TO_MINUS_65: f32 = f32::from_bits((127 - 65) << 23);
@@ -13,20 +14,35 @@ const fn carrier(ulp: i32) -> u32 {
 
 /// (2n + 1)·2⁻⁶⁵ for n < 2⁶³, rounded to nearest: never zero; ½ is reached and not passed.
 #[inline(always)]
-pub(crate) fn tail(n: u64) -> f32 {
-    if BY_SUMS { summed(n) } else { assembled(n) }
+pub(crate) fn tail(n: u64, code: Code) -> f32 {
+    match code {
+        _ if !WORDS_OF_64 => assembled(n),
+        Code::Scalar => branched(n),
+        Code::Vector => selected(n),
+    }
 }
 
-/// [`tail`] by one sum of floats, which rounds.
+/// [`tail`] by a sum of the leading 46 bits. The last of them lies below the digits kept and stands
+/// for all that follow.
 #[inline(always)]
-fn summed(n: u64) -> f32 {
-    const HIGH: u32 = carrier(23);
-    const LOW: u32 = carrier(0);
-    // Both at once: the only sum that rounds is the last.
-    const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
+fn branched(n: u64) -> f32 {
+    if n >> 42 == 0 {
+        return deep(n);
+    }
+    let n = n >> 17;
+    sum((n >> 23) as u32, n as u32 | 1) * TWO_TO_MINUS_47
+}
+
+/// Once in two million draws.
+#[cold]
+fn deep(n: u64) -> f32 {
+    assembled(n)
+}
+
+/// [`tail`] by the same sum or, where 2n + 1 has no more than 43 bits, by one of all of them.
+#[inline(always)]
+fn selected(n: u64) -> f32 {
     let (upper, lower) = ((n >> 32) as u32, n as u32);
-    // All 43 bits of 2n + 1 where that has no more, else the leading 46 of n, of which the last
-    // lies below the digits kept and stands for all that follow.
     let deep = upper >> 10 == 0;
     let high = if deep {
         upper << 10 | lower >> 22
@@ -43,40 +59,35 @@ fn summed(n: u64) -> f32 {
     } else {
         TWO_TO_MINUS_47
     };
+    sum(high, low | 1) * unit
+}
+
+/// 2²³·`high` and the lower 23 bits of `low`, rounded once.
+#[inline(always)]
+fn sum(high: u32, low: u32) -> f32 {
+    const HIGH: u32 = carrier(23);
+    const LOW: u32 = carrier(0);
+    // Both at once: the only sum that rounds is the last.
+    const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
     let high = f32::from_bits(HIGH | high) - CARRIERS;
-    (high + f32::from_bits(LOW | low & 0x7F_FFFF | 1)) * unit
+    high + f32::from_bits(LOW | low & 0x7F_FFFF)
 }
 
 /// (2n + 1)·2⁻³³ for the lower 31 bits n, rounded to nearest: never zero; ½ is reached and not
 /// passed.
 #[inline(always)]
 pub(crate) fn tail_of_half(n: u32) -> f32 {
-    let odd = n << 1 | 1;
-    if BY_SUMS {
-        const HIGH: u32 = carrier(16 - 33);
-        const LOW: u32 = carrier(-33);
-        const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
-        let high = f32::from_bits(HIGH | odd >> 16) - CARRIERS;
-        high + f32::from_bits(LOW | odd & 0xFFFF)
+    down::<33>((n << 1 | 1) as f32)
+}
+
+/// x·2⁻ᴺ for |x| ≥ 1: in the exponent where a product may be a routine.
+#[inline(always)]
+pub(crate) fn down<const N: i32>(x: f32) -> f32 {
+    if WORDS_OF_64 {
+        x * power_of_two(-N)
     } else {
-        down_33(odd as f32)
+        f32::from_bits(x.to_bits().wrapping_sub((N as u32) << 23))
     }
-}
-
-/// (n + ½)·2⁻³², rounded to nearest: never zero; 1 is reached and not passed.
-#[inline(always)]
-pub(crate) fn whole(n: u32) -> f32 {
-    const HIGH: u32 = carrier(-16);
-    const LOW: u32 = carrier(-33);
-    const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
-    let high = f32::from_bits(HIGH | n >> 16) - CARRIERS;
-    high + f32::from_bits(LOW | n << 1 & 0x1_FFFF | 1)
-}
-
-/// x·2⁻³³ for |x| ≥ 1: in the exponent, since a product may be a routine.
-#[inline(always)]
-fn down_33(x: f32) -> f32 {
-    f32::from_bits(x.to_bits().wrapping_sub(33 << 23))
 }
 
 /// [`tail`] by 32-bit integers alone.
@@ -108,36 +119,15 @@ fn quadrant(bits: u32) -> u32 {
 /// (q, x): the same azimuth as q quarters and x turns, |x| ≤ ⅛, x rounded once.
 #[inline(always)]
 pub(crate) fn turn(bits: u32) -> (u32, f32) {
-    let x = if BY_SUMS {
-        summed_turn(bits)
-    } else {
-        converted_turn(bits)
-    };
-    (quadrant(bits), x)
-}
-
-#[inline(always)]
-fn converted_turn(bits: u32) -> f32 {
-    down_33(parts_of_turn(bits).1 as f32)
-}
-
-#[inline(always)]
-fn summed_turn(bits: u32) -> f32 {
-    const HIGH: u32 = carrier(-25);
-    const LOW: u32 = carrier(-34);
-    // Twice n but for its last bit; the upper part with ⅛ added, so that it is no less than 0.
-    let twice = bits << 2;
-    let high = f32::from_bits(HIGH | (twice ^ 1 << 31) >> 9);
-    let low = f32::from_bits(LOW | twice & 0x1FF | 2);
-    // The carriers at once: the only sum that rounds is the last.
-    (high - (f32::from_bits(HIGH) + 0.125 + f32::from_bits(LOW))) + low
+    // Four quarters, and twice the half of a unit that a word stands for.
+    (quadrant(bits), down::<34>((bits << 2 | 2) as i32 as f32))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Both ways of [`tail`] against the compiler's unsigned conversion: every count of leading
+    /// All ways of [`tail`] against the compiler's unsigned conversion: every count of leading
     /// zeros, and patterns of low bits around the tie of each.
     #[test]
     fn tails_are_rounded_once() {
@@ -157,7 +147,7 @@ mod tests {
                         for n in [lead | low, lead | low.wrapping_sub(1), lead ^ low] {
                             let n = n & top & (top >> (63 - length));
                             let expected = (2 * n + 1) as f32 * 0.5f32.powi(65);
-                            for found in [summed(n), assembled(n)] {
+                            for found in [branched(n), selected(n), assembled(n)] {
                                 assert_eq!(found.to_bits(), expected.to_bits(), "{n:#x}");
                             }
                         }
@@ -188,12 +178,17 @@ mod tests {
     }
 
     fn same_turn(bits: u32) {
-        let (one, other) = (summed_turn(bits), converted_turn(bits));
-        assert_eq!(one.to_bits(), other.to_bits(), "{bits:#x}");
+        let ((quarter, x), (quarters, n)) = (turn(bits), parts_of_turn(bits));
+        let expected = (f64::from(n) * 0.5f64.powi(33)) as f32;
+        assert_eq!(
+            (quarter, x.to_bits()),
+            (quarters, expected.to_bits()),
+            "{bits:#x}"
+        );
     }
 
     #[test]
-    fn turns_are_the_conversions() {
+    fn turns_are_rounded_once() {
         (0..=u32::MAX).step_by(997).for_each(same_turn);
         for eighth in 0..8u32 {
             for near in 0..1 << 12 {
@@ -201,11 +196,5 @@ mod tests {
                 same_turn((eighth << 29).wrapping_sub(near));
             }
         }
-    }
-
-    #[test]
-    #[ignore = "all 2³² words, 10 s: cargo test --release --lib uniform -- --ignored"]
-    fn turns_are_the_conversions_exhaustively() {
-        (0..=u32::MAX).for_each(same_turn);
     }
 }

@@ -1,6 +1,6 @@
 //! `f64`.
 
-use super::BY_SUMS;
+use super::{Code, WORDS_OF_64};
 use crate::arithmetic::native::f64::power_of_two;
 
 /// The bits of a float whose last place counts 2ⁿ, n = `ulp`: with an integer below 2⁵² in its last
@@ -11,24 +11,41 @@ const fn carrier(ulp: i32) -> u64 {
 
 /// (2n + 1)·2⁻¹²⁹ for n < 2¹²⁷, rounded to nearest: never zero; ½ is reached and not passed.
 #[inline(always)]
-pub(crate) fn tail(n: u128) -> f64 {
-    if BY_SUMS {
-        summed(n)
-    } else {
-        down::<128>(half_more(n))
+pub(crate) fn tail(n: u128, code: Code) -> f64 {
+    match code {
+        _ if !WORDS_OF_64 => down::<128>(half_more(n)),
+        Code::Scalar => branched(n),
+        Code::Vector => selected(n),
     }
 }
 
-/// [`tail`] by one sum of floats, which rounds.
+/// [`tail`] of the upper half: where that has so many digits, the odd number below it stands for
+/// all that follow.
 #[inline(always)]
-fn summed(n: u128) -> f64 {
+fn branched(n: u128) -> f64 {
+    let upper = (n >> 64) as u64;
+    if upper >> 54 == 0 {
+        return deep(n);
+    }
+    summed_half(upper)
+}
+
+/// Once in 512 draws.
+#[cold]
+fn deep(n: u128) -> f64 {
+    selected(n)
+}
+
+/// [`tail`] by one sum of floats, which rounds: as in `f32`, of all 78 bits of 2n + 1, or of the
+/// leading 104 of n.
+#[inline(always)]
+fn selected(n: u128) -> f64 {
     const HIGH: u64 = carrier(52);
     const LOW: u64 = carrier(0);
     const PART: u64 = (1 << 52) - 1;
     // Both at once: the only sum that rounds is the last.
     const CARRIERS: f64 = f64::from_bits(HIGH) + f64::from_bits(LOW);
     let (upper, lower) = ((n >> 64) as u64, n as u64);
-    // As in `f32`: all 78 bits of 2n + 1, or the leading 104 of n.
     let deep = upper >> 13 == 0;
     let high = if deep {
         upper << 13 | lower >> 51
@@ -53,22 +70,31 @@ fn summed(n: u128) -> f64 {
 /// passed.
 #[inline(always)]
 pub(crate) fn tail_of_half(n: u64) -> f64 {
-    let odd = n << 1 | 1;
-    if BY_SUMS {
-        const HIGH: u64 = carrier(32 - 65);
-        const LOW: u64 = carrier(-65);
-        const CARRIERS: f64 = f64::from_bits(HIGH) + f64::from_bits(LOW);
-        let high = f64::from_bits(HIGH | odd >> 32) - CARRIERS;
-        high + f64::from_bits(LOW | odd & 0xFFFF_FFFF)
+    if WORDS_OF_64 {
+        summed_half(n)
     } else {
-        down::<65>(odd as f64)
+        down::<65>((n << 1 | 1) as f64)
     }
 }
 
-/// x·2⁻ᴺ for |x| ≥ ½: in the exponent, since a product may be a routine.
 #[inline(always)]
-fn down<const N: u64>(x: f64) -> f64 {
-    f64::from_bits(x.to_bits().wrapping_sub(N << 52))
+fn summed_half(n: u64) -> f64 {
+    const HIGH: u64 = carrier(32 - 65);
+    const LOW: u64 = carrier(-65);
+    const CARRIERS: f64 = f64::from_bits(HIGH) + f64::from_bits(LOW);
+    let odd = n << 1 | 1;
+    let high = f64::from_bits(HIGH | odd >> 32) - CARRIERS;
+    high + f64::from_bits(LOW | odd & 0xFFFF_FFFF)
+}
+
+/// x·2⁻ᴺ for |x| ≥ ½: in the exponent where a product may be a routine.
+#[inline(always)]
+fn down<const N: i32>(x: f64) -> f64 {
+    if WORDS_OF_64 {
+        x * power_of_two(-N)
+    } else {
+        f64::from_bits(x.to_bits().wrapping_sub((N as u64) << 52))
+    }
 }
 
 /// n + ½ for n < 2¹²⁷, rounded once, for 32-bit processors.
@@ -104,7 +130,7 @@ fn quadrant(bits: u64) -> u32 {
 /// (q, x): the same azimuth as q quarters and x turns, |x| ≤ ⅛, x rounded once.
 #[inline(always)]
 pub(crate) fn turn(bits: u64) -> (u32, f64) {
-    let x = if BY_SUMS {
+    let x = if WORDS_OF_64 {
         summed_turn(bits)
     } else {
         converted_turn(bits)
@@ -114,7 +140,8 @@ pub(crate) fn turn(bits: u64) -> (u32, f64) {
 
 #[inline(always)]
 fn converted_turn(bits: u64) -> f64 {
-    down::<65>(parts_of_turn(bits).1 as f64)
+    // Four quarters, and twice the half of a unit that a word stands for.
+    down::<66>((bits << 2 | 2) as i64 as f64)
 }
 
 #[inline(always)]
@@ -132,7 +159,7 @@ fn summed_turn(bits: u64) -> f64 {
 mod tests {
     use super::*;
 
-    /// [`half_more`] and [`summed`] against the compiler's own conversion: every count of leading
+    /// All ways of [`tail`] against the compiler's own conversion: every count of leading
     /// zeros, and patterns of low bits around the tie of each.
     #[test]
     fn half_more_is_rounded_once() {
@@ -154,7 +181,9 @@ mod tests {
                             let expected = (2 * n + 1) as f64 * 0.5;
                             assert_eq!(half_more(n).to_bits(), expected.to_bits(), "{n:#x}");
                             let scaled = expected * power_of_two(-128);
-                            assert_eq!(summed(n).to_bits(), scaled.to_bits(), "{n:#x}");
+                            for found in [branched(n), selected(n)] {
+                                assert_eq!(found.to_bits(), scaled.to_bits(), "{n:#x}");
+                            }
                         }
                     }
                 }
@@ -169,13 +198,13 @@ mod tests {
             noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
             for n in [noise, noise >> (i & 63), noise | ((1 << (i & 63)) - 1)] {
                 let expected = (n << 1 | 1) as f64 * 0.5f64.powi(65);
-                assert_eq!(tail_of_half(n).to_bits(), expected.to_bits(), "{n:#x}");
+                assert_eq!(summed_half(n).to_bits(), expected.to_bits(), "{n:#x}");
             }
         }
     }
 
     #[test]
-    fn turns_are_the_conversions() {
+    fn turns_are_rounded_once() {
         let mut noise = 0x9E37_79B9_7F4A_7C15u64;
         for _ in 0..100_000 {
             noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
@@ -183,8 +212,10 @@ mod tests {
             for eighth in 0..8u64 {
                 for bits in [near, near.wrapping_neg(), near ^ 0xFFFF_FFFF] {
                     let bits = (eighth << 61).wrapping_add(bits);
-                    let (one, other) = (summed_turn(bits), converted_turn(bits));
-                    assert_eq!(one.to_bits(), other.to_bits(), "{bits:#x}");
+                    let expected = parts_of_turn(bits).1 as f64 * 0.5f64.powi(65);
+                    for found in [summed_turn(bits), converted_turn(bits)] {
+                        assert_eq!(found.to_bits(), expected.to_bits(), "{bits:#x}");
+                    }
                 }
             }
         }
