@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 /// Rounds over a group; the quickest of a contender counts.
-pub(crate) const ROUNDS: usize = 100;
+pub(crate) const ROUNDS: usize = 50;
 /// Shortest time that a contender is timed for in a round.
 const SLICE: Duration = Duration::from_micros(300);
 
