@@ -22,7 +22,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The cheapest tier: relative errors of about 2⁻¹² in densities and directions.
 ///
-/// Sums of rounding errors are not carried, polynomials are short, and a uniform has 32 bits: a
+/// Sums of rounding errors are not carried, polynomials are short, and a uniform is one word: a
 /// target without a floating-point unit gains most. The square root is the plain type's, an
 /// instruction where there is one and some fifty where there is none.
 /// Directions are unit vectors to 2⁻¹², inside the support, with positive density and no component

@@ -13,8 +13,7 @@ use crate::scalar::Scalar;
 /// Never 0, at most ½; 2⁻³² is the deepest.
 #[inline(always)]
 pub(crate) fn tail(bits: u32) -> (f32, bool) {
-    let n = bits << 1 >> 1 | 1;
-    (down::<32>(n as i32 as f32), bits >> 31 != 0)
+    (down::<33>((bits << 1 | 2) as f32), bits >> 31 != 0)
 }
 
 /// Both tails of the same word, the lower first, each rounded once.

@@ -162,7 +162,7 @@ mod tests {
     /// All ways of [`tail`] against the compiler's own conversion: every count of leading
     /// zeros, and patterns of low bits around the tie of each.
     #[test]
-    fn half_more_is_rounded_once() {
+    fn tails_are_rounded_once() {
         let mut noise = 0x9E37_79B9_7F4A_7C15u128;
         for length in 0..=127 {
             let lead: u128 = (1 << length) >> 1;
