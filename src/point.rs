@@ -3,8 +3,7 @@
 use crate::arithmetic::holds::Holds;
 use crate::law::Point;
 use crate::number::Real;
-use crate::number::tier::Code;
-use crate::number::tier::Margin;
+use crate::number::tier::{Code, Margin};
 use crate::{CosSin, Law, Measure, Planar, Spatial, uniform};
 use core::fmt;
 use rand_core::Rng;

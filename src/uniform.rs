@@ -38,7 +38,8 @@ pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
     T::tails_from_bits(bits, Code::Scalar)
 }
 
-/// The tails of which the upper one is (n + ½) of as many parts as there are words n.
+/// The tails of which the upper one is n + ½ of as many parts as there are words n; of the coarse
+/// type n, made odd.
 #[inline(always)]
 pub(crate) fn upper_tails<T: Real>(n: TurnBits<T>) -> Tails<T> {
     T::tails_from_half(<TailBits<T> as Bits>::by_side(n))

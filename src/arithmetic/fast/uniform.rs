@@ -3,7 +3,6 @@
 use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
 use super::root::BY_SELECTS;
-use crate::arithmetic::native::turn::select_if_odd;
 use crate::arithmetic::native::uniform::f32::down;
 use crate::scalar::Scalar;
 
@@ -50,19 +49,14 @@ pub(crate) fn turn(bits: u32) -> (f32, f32) {
     let rest = (bits << 2 | 2) as i32; // ±2³¹, of 2³⁴ to the turn
     let y = rest >> 16; // eighths of a turn, Q15
     let v = y.wrapping_mul(y) >> 14;
-    let cos = leading_30(TURN_COS.at(v), 0).to_bits();
+    let cos = leading_30(TURN_COS.at(v), 0);
     let share = TURN_SIN.at(v);
-    let sin = (rest as f32 * leading_31(share, -32)).to_bits();
-    let (cos, sin) = if BY_SELECTS {
-        select_if_odd(quadrant, cos, sin)
-    } else {
-        let (a, b) = f32::swap_if_odd(quadrant, f32::from_bits(cos), f32::from_bits(sin));
-        (a.to_bits(), b.to_bits())
-    };
+    let sin = rest as f32 * leading_31(share, -32);
+    let (cos, sin) = f32::swap_factors_if_odd(quadrant, cos, sin);
     let cos_sign = (quadrant.wrapping_add(1) << 30) & (1 << 31);
     let sin_sign = (quadrant << 30) & (1 << 31);
     (
-        f32::from_bits(cos ^ cos_sign),
-        f32::from_bits(sin ^ sin_sign),
+        f32::from_bits(cos.to_bits() ^ cos_sign),
+        f32::from_bits(sin.to_bits() ^ sin_sign),
     )
 }
