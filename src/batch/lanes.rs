@@ -14,8 +14,10 @@ pub(crate) trait Lanes {
 
     /// The lengths of its slices.
     fn len(&self) -> impl IntoIterator<Item = usize>;
-    /// The next `len` ≤ [`BLOCK`] from `at` on, filled up with zeros.
-    fn block(&mut self, at: usize, len: usize) -> Self::Block;
+    fn zeros() -> Self::Block;
+    /// Fills the first `len` ≤ [`BLOCK`] places of a block with the elements from `at` on, `len` of
+    /// them or as many as the slices still have. What the others hold does not matter.
+    fn fill(&mut self, at: usize, len: usize, block: &mut Self::Block);
     fn item(block: &Self::Block, i: usize) -> Self::Item;
 }
 
@@ -29,16 +31,21 @@ impl<A: Copy + Default> Lanes for &[A] {
     }
 
     #[inline(always)]
-    fn block(&mut self, at: usize, len: usize) -> [A; BLOCK] {
+    fn zeros() -> [A; BLOCK] {
+        [A::default(); BLOCK]
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, at: usize, _: usize, block: &mut [A; BLOCK]) {
         let rest = self.get(at..).unwrap_or_default();
         if let Some(whole) = rest.first_chunk() {
-            return *whole;
+            *block = *whole;
+        } else {
+            // Not a copy of what there is: a compiler would make one call of both.
+            for (i, to) in block.iter_mut().enumerate() {
+                *to = rest.get(i).copied().unwrap_or_default();
+            }
         }
-        let mut block = [A::default(); BLOCK];
-        for (to, from) in block.iter_mut().zip(rest).take(len) {
-            *to = *from;
-        }
-        block
     }
 
     #[inline(always)]
@@ -57,8 +64,14 @@ impl<X: Lanes, Y: Lanes> Lanes for (X, Y) {
     }
 
     #[inline(always)]
-    fn block(&mut self, at: usize, len: usize) -> Self::Block {
-        (self.0.block(at, len), self.1.block(at, len))
+    fn zeros() -> Self::Block {
+        (X::zeros(), Y::zeros())
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, at: usize, len: usize, (x, y): &mut Self::Block) {
+        self.0.fill(at, len, x);
+        self.1.fill(at, len, y);
     }
 
     #[inline(always)]
@@ -80,23 +93,22 @@ impl<B: Bits> Lanes for Words<'_, B> {
     }
 
     #[inline(always)]
-    fn block(&mut self, at: usize, len: usize) -> Self::Block {
-        halves(&self.0.block(at, len))
+    fn zeros() -> Self::Block {
+        [[B::Half::default(); BLOCK]; 2]
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, at: usize, _: usize, [upper, lower]: &mut Self::Block) {
+        let rest = self.0.get(at..).unwrap_or_default();
+        for ((upper, lower), word) in upper.iter_mut().zip(lower).zip(rest) {
+            (*upper, *lower) = word.split();
+        }
     }
 
     #[inline(always)]
     fn item([upper, lower]: &Self::Block, i: usize) -> B {
         B::join(upper[i], lower[i])
     }
-}
-
-#[inline(always)]
-fn halves<B: Bits>(words: &[B; BLOCK]) -> [[B::Half; BLOCK]; 2] {
-    let [mut upper, mut lower] = [[B::Half::default(); BLOCK]; 2];
-    for i in 0..BLOCK {
-        (upper[i], lower[i]) = words[i].split();
-    }
-    [upper, lower]
 }
 
 /// The words that as many calls of `sample` of a law in the plane draw, in that order.
@@ -112,12 +124,15 @@ impl<B: Bits, D: FnMut() -> B> Lanes for PlanarDraws<D> {
     }
 
     #[inline(always)]
-    fn block(&mut self, _: usize, len: usize) -> Self::Block {
-        let mut words = [B::default(); BLOCK];
-        for word in words.iter_mut().take(len) {
-            *word = self.0();
+    fn zeros() -> Self::Block {
+        Words::<B>::zeros()
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, _: usize, len: usize, [upper, lower]: &mut Self::Block) {
+        for (upper, lower) in upper.iter_mut().zip(lower).take(len) {
+            (*upper, *lower) = self.0().split();
         }
-        halves(&words)
     }
 
     #[inline(always)]
@@ -139,13 +154,17 @@ impl<B: Bits, A: Copy + Default, D: FnMut() -> (B, A)> Lanes for SpatialDraws<D>
     }
 
     #[inline(always)]
-    fn block(&mut self, _: usize, len: usize) -> Self::Block {
-        let mut theta = [B::default(); BLOCK];
-        let mut phi = [A::default(); BLOCK];
-        for (theta, phi) in theta.iter_mut().zip(&mut phi).take(len) {
-            (*theta, *phi) = self.0();
+    fn zeros() -> Self::Block {
+        (Words::<B>::zeros(), <&[A]>::zeros())
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, _: usize, len: usize, ([upper, lower], phi): &mut Self::Block) {
+        for ((upper, lower), phi) in upper.iter_mut().zip(lower).zip(phi).take(len) {
+            let (theta, turn) = self.0();
+            (*upper, *lower) = theta.split();
+            *phi = turn;
         }
-        (halves(&theta), phi)
     }
 
     #[inline(always)]

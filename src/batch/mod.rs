@@ -84,36 +84,42 @@ struct Blocks<'a, T, L, F, const N: usize> {
     f: F,
 }
 
+/// No vector lies across two lines of a cache.
+#[repr(align(64))]
+struct Aligned<A>(A);
+
 impl<T: Batch, L: Lanes, F: Fn(L::Item) -> [T; N], const N: usize> Blocks<'_, T, L, F, N> {
     #[inline(always)]
     fn run(mut self) {
+        // Once for all blocks: zeros for each would take as long as some laws.
+        let mut block = Aligned(L::zeros());
+        let mut results = Aligned([[T::ZERO; BLOCK]; N]);
         let mut at = 0;
         while at < self.len {
             let len = BLOCK.min(self.len - at);
-            let block = self.from.block(at, len);
-            let mut results = [[T::ZERO; BLOCK]; N];
+            self.from.fill(at, len, &mut block.0);
             for i in 0..BLOCK {
-                let result = (self.f)(L::item(&block, i));
-                for (to, value) in results.iter_mut().zip(result) {
+                let result = (self.f)(L::item(&block.0, i));
+                for (to, value) in results.0.iter_mut().zip(result) {
                     to[i] = value;
                 }
             }
-            for (to, values) in self.to.iter_mut().zip(&results) {
-                write(to, at, len, values);
+            for (to, values) in self.to.iter_mut().zip(&results.0) {
+                write(to, at, values);
             }
             at += len;
         }
     }
 }
 
-/// The first `len` of `values`, from `at` on.
+/// `values` from `at` on, as many as there is room for.
 #[inline(always)]
-fn write<T: Copy>(to: &mut [T], at: usize, len: usize, values: &[T; BLOCK]) {
+fn write<T: Copy>(to: &mut [T], at: usize, values: &[T; BLOCK]) {
     let rest = to.get_mut(at..).unwrap_or_default();
     if let Some(whole) = rest.first_chunk_mut() {
         *whole = *values;
     } else {
-        for (to, value) in rest.iter_mut().zip(values).take(len) {
+        for (to, value) in rest.iter_mut().zip(values) {
             *to = *value;
         }
     }

@@ -18,7 +18,7 @@ pub(crate) fn tail(n: u64, code: Code) -> f32 {
     match code {
         _ if !WORDS_OF_64 => assembled(n),
         Code::Scalar => branched(n),
-        Code::Vector => selected(n),
+        Code::Vector => selected((n >> 32) as u32, n as u32),
     }
 }
 
@@ -39,10 +39,10 @@ fn deep(n: u64) -> f32 {
     assembled(n)
 }
 
-/// [`tail`] by the same sum or, where 2n + 1 has no more than 43 bits, by one of all of them.
+/// [`tail`] of n's halves, by the same sum or, where 2n + 1 has no more than 43 bits, by one of all
+/// of them.
 #[inline(always)]
-fn selected(n: u64) -> f32 {
-    let (upper, lower) = ((n >> 32) as u32, n as u32);
+fn selected(upper: u32, lower: u32) -> f32 {
     let deep = upper >> 10 == 0;
     let high = if deep {
         upper << 10 | lower >> 22
@@ -147,7 +147,11 @@ mod tests {
                         for n in [lead | low, lead | low.wrapping_sub(1), lead ^ low] {
                             let n = n & top & (top >> (63 - length));
                             let expected = (2 * n + 1) as f32 * 0.5f32.powi(65);
-                            for found in [branched(n), selected(n), assembled(n)] {
+                            for found in [
+                                branched(n),
+                                selected((n >> 32) as u32, n as u32),
+                                assembled(n),
+                            ] {
                                 assert_eq!(found.to_bits(), expected.to_bits(), "{n:#x}");
                             }
                         }

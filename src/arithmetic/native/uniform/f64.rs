@@ -15,7 +15,7 @@ pub(crate) fn tail(n: u128, code: Code) -> f64 {
     match code {
         _ if !WORDS_OF_64 => down::<128>(half_more(n)),
         Code::Scalar => branched(n),
-        Code::Vector => selected(n),
+        Code::Vector => selected((n >> 64) as u64, n as u64),
     }
 }
 
@@ -33,19 +33,18 @@ fn branched(n: u128) -> f64 {
 /// Once in 512 draws.
 #[cold]
 fn deep(n: u128) -> f64 {
-    selected(n)
+    selected((n >> 64) as u64, n as u64)
 }
 
-/// [`tail`] by one sum of floats, which rounds: as in `f32`, of all 78 bits of 2n + 1, or of the
+/// [`tail`] of n's halves by one sum of floats, which rounds: as in `f32`, of all 78 bits of 2n + 1, or of the
 /// leading 104 of n.
 #[inline(always)]
-fn selected(n: u128) -> f64 {
+fn selected(upper: u64, lower: u64) -> f64 {
     const HIGH: u64 = carrier(52);
     const LOW: u64 = carrier(0);
     const PART: u64 = (1 << 52) - 1;
     // Both at once: the only sum that rounds is the last.
     const CARRIERS: f64 = f64::from_bits(HIGH) + f64::from_bits(LOW);
-    let (upper, lower) = ((n >> 64) as u64, n as u64);
     let deep = upper >> 13 == 0;
     let high = if deep {
         upper << 13 | lower >> 51
@@ -133,7 +132,7 @@ pub(crate) fn turn(bits: u64) -> (u32, f64) {
     let x = if WORDS_OF_64 {
         summed_turn(bits)
     } else {
-        converted_turn(bits)
+        summed_turn(bits)
     };
     (quadrant(bits), x)
 }
@@ -181,7 +180,7 @@ mod tests {
                             let expected = (2 * n + 1) as f64 * 0.5;
                             assert_eq!(half_more(n).to_bits(), expected.to_bits(), "{n:#x}");
                             let scaled = expected * power_of_two(-128);
-                            for found in [branched(n), selected(n)] {
+                            for found in [branched(n), deep(n)] {
                                 assert_eq!(found.to_bits(), scaled.to_bits(), "{n:#x}");
                             }
                         }
