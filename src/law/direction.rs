@@ -4,7 +4,7 @@
 use crate::arithmetic::holds::Holds;
 use crate::arithmetic::kernel::{Kernel, Wide};
 use crate::number::Real;
-use crate::number::tier::{Margin, Tier};
+use crate::number::tier::{Code, Margin, Tier};
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
@@ -21,7 +21,7 @@ impl<T: Real> Azimuth<T> {
     #[inline(always)]
     pub(crate) fn quick(self) -> CosSin<T::Quick> {
         match self {
-            Azimuth::Word(bits) => T::quick_turn_from_bits(bits),
+            Azimuth::Word(bits) => T::quick_turn_from_bits(bits, Code::Vector),
             Azimuth::Turn(turn) => Kernel::at_turn(Holds::from_number(turn)),
         }
     }
@@ -29,7 +29,7 @@ impl<T: Real> Azimuth<T> {
     #[inline(always)]
     pub(crate) fn accurate(self) -> CosSin<T::Accurate> {
         match self {
-            Azimuth::Word(bits) => T::accurate_turn_from_bits(bits),
+            Azimuth::Word(bits) => T::accurate_turn_from_bits(bits, Code::Vector),
             Azimuth::Turn(turn) => Kernel::at_turn(Holds::from_number(turn)),
         }
     }

@@ -169,15 +169,15 @@ impl<T: Real> Planar<T> for Disk {
     }
 
     #[inline(always)]
-    fn sample_by(&self, bits: TailBits<T>, _: Code) -> [T; 2] {
+    fn sample_by(&self, bits: TailBits<T>, code: Code) -> [T; 2] {
         let (u, phi) = bits.split();
         let u = T::tails_from_half(u);
         T::rounded(
             Margin::Relative,
             #[inline(always)]
-            || shadow(Holds::from_tails(u), T::quick_turn_from_bits(phi)),
+            || shadow(Holds::from_tails(u), T::quick_turn_from_bits(phi, code)),
             #[inline(always)]
-            || shadow(Holds::from_tails(u), T::accurate_turn_from_bits(phi)),
+            || shadow(Holds::from_tails(u), T::accurate_turn_from_bits(phi, code)),
         )
     }
 }

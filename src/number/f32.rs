@@ -78,12 +78,12 @@ impl Tier for f32 {
     }
 
     #[inline(always)]
-    fn quick_turn_from_bits(bits: u32) -> CosSin<f32> {
-        Self::accurate_turn_from_bits(bits)
+    fn quick_turn_from_bits(bits: u32, code: Code) -> CosSin<f32> {
+        Self::accurate_turn_from_bits(bits, code)
     }
 
     #[inline(always)]
-    fn accurate_turn_from_bits(bits: u32) -> CosSin<f32> {
+    fn accurate_turn_from_bits(bits: u32, _: Code) -> CosSin<f32> {
         let (quadrant, x) = uniform::turn(bits);
         at_quadrant(quadrant, x)
     }

@@ -79,13 +79,13 @@ impl Tier for f64 {
     }
 
     #[inline(always)]
-    fn quick_turn_from_bits(bits: u64) -> CosSin<f64> {
-        Self::accurate_turn_from_bits(bits)
+    fn quick_turn_from_bits(bits: u64, code: Code) -> CosSin<f64> {
+        Self::accurate_turn_from_bits(bits, code)
     }
 
     #[inline(always)]
-    fn accurate_turn_from_bits(bits: u64) -> CosSin<f64> {
-        let (quadrant, x) = uniform::turn(bits);
+    fn accurate_turn_from_bits(bits: u64, code: Code) -> CosSin<f64> {
+        let (quadrant, x) = uniform::turn(bits, code);
         at_quadrant(quadrant, x)
     }
 }

@@ -97,12 +97,12 @@ impl Tier for Fast<f32> {
     }
 
     #[inline(always)]
-    fn quick_turn_from_bits(bits: u32) -> CosSin<Self> {
-        Self::accurate_turn_from_bits(bits)
+    fn quick_turn_from_bits(bits: u32, code: Code) -> CosSin<Self> {
+        Self::accurate_turn_from_bits(bits, code)
     }
 
     #[inline(always)]
-    fn accurate_turn_from_bits(bits: u32) -> CosSin<Self> {
+    fn accurate_turn_from_bits(bits: u32, _: Code) -> CosSin<Self> {
         fast(uniform::turn(bits))
     }
 }

@@ -130,17 +130,17 @@ pub trait Tier: Scalar {
     /// A probability of half the bits.
     fn tails_from_half(bits: Self::TurnBits) -> Tails<Self>;
     /// (cos φ, sin φ) of an azimuth in either arithmetic.
-    fn quick_turn_from_bits(bits: Self::TurnBits) -> CosSin<Self::Quick>;
-    fn accurate_turn_from_bits(bits: Self::TurnBits) -> CosSin<Self::Accurate>;
+    fn quick_turn_from_bits(bits: Self::TurnBits, code: Code) -> CosSin<Self::Quick>;
+    fn accurate_turn_from_bits(bits: Self::TurnBits, code: Code) -> CosSin<Self::Accurate>;
 
     #[inline(always)]
     fn turn_from_bits(bits: Self::TurnBits) -> CosSin<Self> {
         CosSin::from_array(Self::rounded(
             Margin::Relative,
             #[inline(always)]
-            || Self::quick_turn_from_bits(bits).to_array(),
+            || Self::quick_turn_from_bits(bits, Code::Scalar).to_array(),
             #[inline(always)]
-            || Self::accurate_turn_from_bits(bits).to_array(),
+            || Self::accurate_turn_from_bits(bits, Code::Scalar).to_array(),
         ))
     }
 }

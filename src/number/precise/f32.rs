@@ -124,13 +124,13 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn quick_turn_from_bits(bits: u32) -> CosSin<f64> {
+    fn quick_turn_from_bits(bits: u32, _: Code) -> CosSin<f64> {
         let (quadrant, x) = turn(bits);
         f64::at_quadrant(quadrant, x)
     }
 
     #[inline]
-    fn accurate_turn_from_bits(bits: u32) -> CosSin<Double> {
+    fn accurate_turn_from_bits(bits: u32, _: Code) -> CosSin<Double> {
         let (quadrant, x) = turn(bits);
         Double::at_quadrant(quadrant, Double::from_f64(x))
     }

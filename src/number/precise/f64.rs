@@ -113,13 +113,13 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn quick_turn_from_bits(bits: u64) -> CosSin<Double> {
+    fn quick_turn_from_bits(bits: u64, _: Code) -> CosSin<Double> {
         let (quadrant, x) = turn(bits);
         Double::at_quadrant(quadrant, x)
     }
 
     #[inline]
-    fn accurate_turn_from_bits(bits: u64) -> CosSin<Scaled> {
+    fn accurate_turn_from_bits(bits: u64, _: Code) -> CosSin<Scaled> {
         let (quadrant, x) = turn(bits);
         Scaled::at_quadrant(quadrant, Scaled::from_double(x))
     }

@@ -36,8 +36,8 @@ fn deep(n: u128) -> f64 {
     selected((n >> 64) as u64, n as u64)
 }
 
-/// [`tail`] of n's halves by one sum of floats, which rounds: as in `f32`, of all 78 bits of 2n + 1, or of the
-/// leading 104 of n.
+/// [`tail`] of n's halves by one sum of floats, which rounds: as in `f32`, of all 78 bits of
+/// 2n + 1, or of the leading 104 of n.
 #[inline(always)]
 fn selected(upper: u64, lower: u64) -> f64 {
     const HIGH: u64 = carrier(52);
@@ -128,11 +128,11 @@ fn quadrant(bits: u64) -> u32 {
 
 /// (q, x): the same azimuth as q quarters and x turns, |x| ≤ ⅛, x rounded once.
 #[inline(always)]
-pub(crate) fn turn(bits: u64) -> (u32, f64) {
-    let x = if WORDS_OF_64 {
+pub(crate) fn turn(bits: u64, code: Code) -> (u32, f64) {
+    let x = if WORDS_OF_64 && code == Code::Vector {
         summed_turn(bits)
     } else {
-        summed_turn(bits)
+        converted_turn(bits)
     };
     (quadrant(bits), x)
 }
