@@ -11,13 +11,14 @@
 //!
 //! Samples of [`Disk`](crate::Disk), [`Ball`](crate::Ball) and [`SphereShell`](crate::SphereShell)
 //! need two uniforms, and take each from one half of those bits; for the coarse type they draw one
-//! `next_u64`. A half reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵; the coarse type: 2⁻³²).
+//! `next_u64`. A half reaches down to 2⁻³³ (`f64`: 2⁻⁶⁵; the coarse type: 2⁻³²), and both its tails
+//! are rounded once.
 //!
 //! Neither p nor 1 − p is ever 0. Each function is a pure map of words (`…_from_bits`) or draws
 //! those words, always the same number of them.
 
 use crate::number::Real;
-use crate::number::tier::{Bits, Code, Tier};
+use crate::number::tier::{Code, Tier};
 use crate::{CosSin, Tails};
 use rand_core::Rng;
 
@@ -41,8 +42,9 @@ pub fn tails_from_bits<T: Real>(bits: TailBits<T>) -> Tails<T> {
 /// The tails of which the upper one is n + ½ of as many parts as there are words n; of the coarse
 /// type n, made odd.
 #[inline(always)]
-pub(crate) fn upper_tails<T: Real>(n: TurnBits<T>) -> Tails<T> {
-    T::tails_from_half(<TailBits<T> as Bits>::by_side(n))
+pub(crate) fn upper_tails<T: Real>(n: TurnBits<T>, code: Code) -> Tails<T> {
+    let [upper, lower] = T::tails_from_half(n, code).to_array();
+    Tails::from_array([lower, upper])
 }
 
 /// (cos φ, sin φ) of a uniform azimuth: the word n stands for n + ½ parts of the whole turn.

@@ -119,8 +119,11 @@ fn write<T: Copy>(to: &mut [T], at: usize, values: &[T; BLOCK]) {
     if let Some(whole) = rest.first_chunk_mut() {
         *whole = *values;
     } else {
-        for (to, value) in rest.iter_mut().zip(values) {
-            *to = *value;
+        // Not a copy of their length: a compiler would make one call of both.
+        for (i, &value) in values.iter().enumerate() {
+            if let Some(to) = rest.get_mut(i) {
+                *to = value;
+            }
         }
     }
 }

@@ -184,9 +184,9 @@ impl<T: Real> Spatial<T> for Ball {
 
     /// Of which the upper one is max(u, v).
     #[inline(always)]
-    fn drawn_tails(&self, theta: TailBits<T>, _: Code) -> Tails<T> {
+    fn drawn_tails(&self, theta: TailBits<T>, code: Code) -> Tails<T> {
         let (u, v) = theta.split();
-        uniform::upper_tails::<T>(u.max(v))
+        uniform::upper_tails::<T>(u.max(v), code)
     }
 
     #[inline(always)]

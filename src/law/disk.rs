@@ -171,7 +171,7 @@ impl<T: Real> Planar<T> for Disk {
     #[inline(always)]
     fn sample_by(&self, bits: TailBits<T>, code: Code) -> [T; 2] {
         let (u, phi) = bits.split();
-        let u = T::tails_from_half(u);
+        let u = T::tails_from_half(<TailBits<T> as Bits>::in_order(u), code);
         T::rounded(
             Margin::Relative,
             #[inline(always)]

@@ -192,9 +192,9 @@ impl<T: Real> Spatial<T> for SphereShell {
 
     /// Of which the upper one is max(u, v²).
     #[inline(always)]
-    fn drawn_tails(&self, theta: TailBits<T>, _: Code) -> Tails<T> {
+    fn drawn_tails(&self, theta: TailBits<T>, code: Code) -> Tails<T> {
         let (u, v) = theta.split();
-        uniform::upper_tails::<T>(u.max(<TailBits<T> as Bits>::square(v)))
+        uniform::upper_tails::<T>(u.max(<TailBits<T> as Bits>::square(v)), code)
     }
 
     #[inline(always)]

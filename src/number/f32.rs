@@ -73,8 +73,8 @@ impl Tier for f32 {
     }
 
     #[inline(always)]
-    fn tails_from_half(bits: u32) -> Tails<f32> {
-        Tails::from_side(uniform::tail_of_half(bits), bits >> 31 != 0)
+    fn tails_from_half(bits: u32, code: Code) -> Tails<f32> {
+        Tails::from_array(uniform::tails_of_half(bits, code))
     }
 
     #[inline(always)]

@@ -74,8 +74,8 @@ impl Tier for f64 {
     }
 
     #[inline(always)]
-    fn tails_from_half(bits: u64) -> Tails<f64> {
-        Tails::from_side(uniform::tail_of_half(bits), bits >> 63 != 0)
+    fn tails_from_half(bits: u64, _: Code) -> Tails<f64> {
+        Tails::from_array(uniform::tails_of_half(bits))
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@ use crate::arithmetic::fast::kernel::fast;
 use crate::arithmetic::fast::uniform;
 use crate::arithmetic::holds::Holds;
 use crate::number::Real;
-use crate::number::tier::{Code, Margin, Tier};
+use crate::number::tier::{Bits, Code, Margin, Tier};
 use crate::{CosSin, Tails};
 use rand_core::TryRng;
 
@@ -87,12 +87,12 @@ impl Tier for Fast<f32> {
     }
 
     #[inline(always)]
-    fn tails_from_bits(bits: u64, _: Code) -> Tails<Self> {
-        Self::tails_from_half((bits >> 32) as u32)
+    fn tails_from_bits(bits: u64, code: Code) -> Tails<Self> {
+        Self::tails_from_half(u64::in_order((bits >> 32) as u32), code)
     }
 
     #[inline(always)]
-    fn tails_from_half(bits: u32) -> Tails<Self> {
+    fn tails_from_half(bits: u32, _: Code) -> Tails<Self> {
         Tails::from_array(uniform::tails(bits).map(Fast))
     }
 

@@ -29,9 +29,9 @@ pub trait Bits: Copy + Default {
     fn join(upper: Self::Half, lower: Self::Half) -> Self;
     /// The square of a half, cut off to its upper half.
     fn square(half: Self::Half) -> Self::Half;
-    /// The word whose upper tail is n and a half: its top bit is the nearer tail's side, the others
-    /// count from there.
-    fn by_side(n: Self::Half) -> Self::Half;
+    /// The count of a lower tail whose word's top bit is the side of the nearer one, from which the
+    /// others count.
+    fn in_order(half: Self::Half) -> Self::Half;
 }
 
 impl Bits for u64 {
@@ -49,8 +49,8 @@ impl Bits for u64 {
         ((u64::from(half) * u64::from(half)) >> 32) as u32
     }
     #[inline(always)]
-    fn by_side(n: u32) -> u32 {
-        !n ^ ((!n as i32 >> 31) as u32 >> 1)
+    fn in_order(half: u32) -> u32 {
+        half ^ ((half as i32 >> 31) as u32 >> 1)
     }
 }
 
@@ -69,8 +69,8 @@ impl Bits for u128 {
         ((u128::from(half) * u128::from(half)) >> 64) as u64
     }
     #[inline(always)]
-    fn by_side(n: u64) -> u64 {
-        !n ^ ((!n as i64 >> 63) as u64 >> 1)
+    fn in_order(half: u64) -> u64 {
+        half ^ ((half as i64 >> 63) as u64 >> 1)
     }
 }
 
@@ -127,8 +127,9 @@ pub trait Tier: Scalar {
         let (p, is_upper) = Self::nearer_from_bits(bits, code);
         Tails::from_side(p, is_upper)
     }
-    /// A probability of half the bits.
-    fn tails_from_half(bits: Self::TurnBits) -> Tails<Self>;
+    /// A probability of half the bits: the lower tail is n and a half of as many parts as there are
+    /// words n.
+    fn tails_from_half(n: Self::TurnBits, code: Code) -> Tails<Self>;
     /// (cos φ, sin φ) of an azimuth in either arithmetic.
     fn quick_turn_from_bits(bits: Self::TurnBits, code: Code) -> CosSin<Self::Quick>;
     fn accurate_turn_from_bits(bits: Self::TurnBits, code: Code) -> CosSin<Self::Accurate>;

@@ -193,20 +193,21 @@ fn turns_of_every_word() {
 
 #[test]
 fn tails() {
-    for bits in
-        (0..=u32::MAX)
-            .step_by(1021)
-            .chain([1, 127, 128, 129, 1 << 31, (1 << 31) - 1, u32::MAX])
+    let rounded = |odd: f64| (odd / 4294967296.0) as f32;
+    let edges = [127, 128, 129, 1 << 31, (1 << 31) - 1];
+    for n in (0..=u32::MAX)
+        .step_by(1021)
+        .chain(edges)
+        .flat_map(|n| [n, !n])
     {
-        let exact = f64::from(bits & !(1 << 31) | 1) / 4294967296.0;
-        let (p, upper) = uniform::tail(bits);
-        assert_eq!(p, exact as f32);
-        assert_eq!(upper, bits >= 1 << 31);
-        assert!(p > 0.0 && p <= 0.5);
-        let q = (1.0 - exact) as f32;
-        let both = if upper { [q, p] } else { [p, q] };
-        assert_eq!(uniform::tails_by::<true>(bits), both, "{bits:#x}");
-        assert_eq!(uniform::tails_by::<false>(bits), both, "{bits:#x}");
+        let odd = f64::from(n | 1);
+        let both = [odd, 4294967296.0 - odd].map(rounded);
+        assert_eq!(uniform::tails_by::<true>(n), both, "{n:#x}");
+        assert_eq!(uniform::tails_by::<false>(n), both, "{n:#x}");
+        let (p, is_upper) = uniform::tail(n);
+        assert_eq!(p, rounded(f64::from(n & !(1 << 31) | 1)), "{n:#x}");
+        assert_eq!(is_upper, n >= 1 << 31, "{n:#x}");
+        assert!(p > 0.0 && p <= 0.5, "{n:#x}");
     }
 }
 

@@ -119,8 +119,8 @@ impl Tier for Precise<f32> {
     }
 
     #[inline]
-    fn tails_from_half(bits: u32) -> Tails<Self> {
-        Tails::from_array(f32::tails_from_half(bits).to_array().map(Precise))
+    fn tails_from_half(bits: u32, code: Code) -> Tails<Self> {
+        Tails::from_array(f32::tails_from_half(bits, code).to_array().map(Precise))
     }
 
     #[inline]

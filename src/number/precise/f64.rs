@@ -108,8 +108,8 @@ impl Tier for Precise<f64> {
     }
 
     #[inline]
-    fn tails_from_half(bits: u64) -> Tails<Self> {
-        Tails::from_array(f64::tails_from_half(bits).to_array().map(Precise))
+    fn tails_from_half(bits: u64, code: Code) -> Tails<Self> {
+        Tails::from_array(f64::tails_from_half(bits, code).to_array().map(Precise))
     }
 
     #[inline]

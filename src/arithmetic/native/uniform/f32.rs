@@ -73,11 +73,52 @@ fn sum(high: u32, low: u32) -> f32 {
     high + f32::from_bits(LOW | low & 0x7F_FFFF)
 }
 
-/// (2n + 1)·2⁻³³ for the lower 31 bits n, rounded to nearest: never zero; ½ is reached and not
+/// The lower tail (2n + 1)·2⁻³³ and the upper one, each rounded once: never zero, and 1 is not
 /// passed.
 #[inline(always)]
-pub(crate) fn tail_of_half(n: u32) -> f32 {
+pub(crate) fn tails_of_half(n: u32, code: Code) -> [f32; 2] {
+    match code {
+        _ if !WORDS_OF_64 => apart(n, nearer),
+        Code::Scalar => converted(n),
+        Code::Vector => summed(n),
+    }
+}
+
+/// By 32-bit integers: the tails of a count n in the order of the lower ones, of which `nearer` is
+/// that of a count below 2³¹.
+///
+/// The farther is put together from its bits, since a difference may be a routine: half a place is
+/// added and cut off, of which what is odd leaves no tie.
+#[inline(always)]
+pub(crate) fn apart(n: u32, nearer: impl Fn(u32) -> f32) -> [f32; 2] {
+    let is_upper = n >> 31 != 0;
+    let n = if is_upper { !n } else { n };
+    let p = nearer(n);
+    let halves = (1 << 24) - (n >> 7);
+    let q = f32::from_bits((halves >> 1) + 0.5f32.to_bits());
+    if is_upper { [q, p] } else { [p, q] }
+}
+
+/// (2n + 1)·2⁻³³ for n < 2³¹.
+#[inline(always)]
+fn nearer(n: u32) -> f32 {
     down::<33>((n << 1 | 1) as f32)
+}
+
+#[inline(always)]
+fn converted(n: u32) -> [f32; 2] {
+    let odd = i64::from(n) << 1 | 1;
+    [odd, (1 << 33) - odd].map(|n| down::<33>(n as f32))
+}
+
+#[inline(always)]
+fn summed(n: u32) -> [f32; 2] {
+    const HIGH: u32 = carrier(17 - 33);
+    const LOW: u32 = carrier(-33);
+    const CARRIERS: f32 = f32::from_bits(HIGH) + f32::from_bits(LOW);
+    let high = f32::from_bits(HIGH | n >> 16);
+    let low = f32::from_bits(LOW | (n << 1 | 1) & 0x1_FFFF);
+    [(high - CARRIERS) + low, (CARRIERS + 1.0 - high) - low]
 }
 
 /// x·2⁻ᴺ for |x| ≥ 1: in the exponent where a product may be a routine.
@@ -161,22 +202,27 @@ mod tests {
         }
     }
 
-    fn same_half(bits: u32) {
-        let expected = (f64::from(bits << 1 | 1) * 0.5f64.powi(33)) as f32;
-        assert_eq!(
-            tail_of_half(bits).to_bits(),
-            expected.to_bits(),
-            "{bits:#x}"
-        );
+    fn same_tails(n: u32) {
+        let odd = 2.0 * f64::from(n) + 1.0;
+        let expected = [odd, 0.5f64.powi(-33) - odd].map(|n| (n * 0.5f64.powi(33)) as f32);
+        for found in [apart(n, nearer), converted(n), summed(n)] {
+            assert_eq!(
+                found.map(f32::to_bits),
+                expected.map(f32::to_bits),
+                "{n:#x}"
+            );
+        }
     }
 
     #[test]
     fn tails_of_halves_are_rounded_once() {
-        (0..=u32::MAX).step_by(997).for_each(same_half);
+        (0..=u32::MAX).step_by(997).for_each(same_tails);
         for shift in 0..32 {
             for near in 0..1 << 10 {
-                same_half(near << shift);
-                same_half(((1 << shift) - 1) ^ near);
+                for n in [near << shift, ((1 << shift) - 1) ^ near] {
+                    same_tails(n);
+                    same_tails(!n);
+                }
             }
         }
     }

@@ -27,7 +27,7 @@ fn branched(n: u128) -> f64 {
     if upper >> 54 == 0 {
         return deep(n);
     }
-    summed_half(upper)
+    summed(upper)[0]
 }
 
 /// Once in 512 draws.
@@ -65,25 +65,31 @@ fn selected(upper: u64, lower: u64) -> f64 {
     (high + f64::from_bits(LOW | low & PART | 1)) * unit
 }
 
-/// (2n + 1)·2⁻⁶⁵ for the lower 63 bits n, rounded to nearest: never zero; ½ is reached and not
+/// The lower tail (2n + 1)·2⁻⁶⁵ and the upper one, each rounded once: never zero, and 1 is not
 /// passed.
 #[inline(always)]
-pub(crate) fn tail_of_half(n: u64) -> f64 {
-    if WORDS_OF_64 {
-        summed_half(n)
-    } else {
-        down::<65>((n << 1 | 1) as f64)
-    }
+pub(crate) fn tails_of_half(n: u64) -> [f64; 2] {
+    if WORDS_OF_64 { summed(n) } else { apart(n) }
+}
+
+/// The farther tail's last bit, below the digits kept, stands for the half that the nearer one has.
+#[inline(always)]
+fn apart(n: u64) -> [f64; 2] {
+    let is_upper = n >> 63 != 0;
+    let n = if is_upper { !n } else { n };
+    let p = down::<65>((n << 1 | 1) as f64);
+    let q = down::<64>((!n | 1) as f64);
+    if is_upper { [q, p] } else { [p, q] }
 }
 
 #[inline(always)]
-fn summed_half(n: u64) -> f64 {
-    const HIGH: u64 = carrier(32 - 65);
+fn summed(n: u64) -> [f64; 2] {
+    const HIGH: u64 = carrier(33 - 65);
     const LOW: u64 = carrier(-65);
     const CARRIERS: f64 = f64::from_bits(HIGH) + f64::from_bits(LOW);
-    let odd = n << 1 | 1;
-    let high = f64::from_bits(HIGH | odd >> 32) - CARRIERS;
-    high + f64::from_bits(LOW | odd & 0xFFFF_FFFF)
+    let high = f64::from_bits(HIGH | n >> 32);
+    let low = f64::from_bits(LOW | (n << 1 | 1) & 0x1_FFFF_FFFF);
+    [(high - CARRIERS) + low, (CARRIERS + 1.0 - high) - low]
 }
 
 /// x·2⁻ᴺ for |x| ≥ ½: in the exponent where a product may be a routine.
@@ -196,8 +202,17 @@ mod tests {
         for i in 0..100_000 {
             noise = noise.wrapping_mul(0xD134_2543_DE82_EF95).wrapping_add(1);
             for n in [noise, noise >> (i & 63), noise | ((1 << (i & 63)) - 1)] {
-                let expected = (n << 1 | 1) as f64 * 0.5f64.powi(65);
-                assert_eq!(summed_half(n).to_bits(), expected.to_bits(), "{n:#x}");
+                for n in [n, !n] {
+                    let odd = 2 * u128::from(n) + 1;
+                    let expected = [odd, (1 << 65) - odd].map(|n| n as f64 * 0.5f64.powi(65));
+                    for found in [apart(n), summed(n)] {
+                        assert_eq!(
+                            found.map(f64::to_bits),
+                            expected.map(f64::to_bits),
+                            "{n:#x}"
+                        );
+                    }
+                }
             }
         }
     }
