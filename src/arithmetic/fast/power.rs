@@ -24,7 +24,7 @@ pub(crate) fn split(x: f32) -> (f32, i32) {
 #[inline(always)]
 pub(crate) fn float(e: i32) -> f32 {
     const CARRIER: f32 = 12_582_912.0;
-    if cfg!(target_pointer_width = "64") {
+    if BY_SELECTS {
         f32::from_bits(CARRIER.to_bits().wrapping_add(e as u32)) - CARRIER
     } else {
         e as f32

@@ -9,10 +9,9 @@ use crate::scalar::Scalar;
 /// 2²⁴: makes a subnormal number normal.
 pub(crate) const UP: f32 = 16_777_216.0;
 
-/// Whether rare cases are selected, as loops of vectors need, not branched to. That takes a product
-/// more, which is a routine without a floating-point unit; with one, a branch to a call costs more,
-/// for what it saves of registers. Always the same bits.
-pub(crate) const BY_SELECTS: bool = cfg!(any(target_pointer_width = "64", target_abi = "eabihf"));
+/// Whether rare cases are selected, as loops of vectors need, not branched to: on 32-bit processors
+/// a product may be a routine. Always the same bits.
+pub(crate) const BY_SELECTS: bool = cfg!(target_pointer_width = "64");
 
 /// `a` if `first`, else `b`: by a mask, with both at hand, or by a branch.
 #[inline(always)]

@@ -92,7 +92,7 @@ pub(crate) fn tails_of_half(n: u32, code: Code) -> [f32; 2] {
 #[inline(always)]
 pub(crate) fn apart(n: u32, nearer: impl Fn(u32) -> f32) -> [f32; 2] {
     let is_upper = n >> 31 != 0;
-    let n = n ^ (n as i32 >> 31) as u32;
+    let n = if is_upper { !n } else { n };
     let p = nearer(n);
     let halves = (1 << 24) - (n >> 7);
     let q = f32::from_bits((halves >> 1) + 0.5f32.to_bits());

@@ -76,7 +76,7 @@ pub(crate) fn tails_of_half(n: u64) -> [f64; 2] {
 #[inline(always)]
 fn apart(n: u64) -> [f64; 2] {
     let is_upper = n >> 63 != 0;
-    let n = n ^ (n as i64 >> 63) as u64;
+    let n = if is_upper { !n } else { n };
     let p = down::<65>((n << 1 | 1) as f64);
     let q = down::<64>((!n | 1) as f64);
     if is_upper { [q, p] } else { [p, q] }
