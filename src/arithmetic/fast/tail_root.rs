@@ -63,11 +63,22 @@ impl TailRoot {
             let exponent = Exponent::of(y);
             (exponent.power(), exponent)
         };
-        let near = inside & (y > NEAR_ZERO);
-        let part = choose::<SELECTS>(near, || log * exponent.slope(), || 1.0 - cos);
+        if !SELECTS {
+            let near = y > NEAR_ZERO;
+            let part = if near {
+                log * exponent.slope()
+            } else {
+                1.0 - cos
+            };
+            let root = Scalar::sqrt(part * (1.0 + cos));
+            return (cos, if near { root * self.side } else { root });
+        }
+        // y is negative, or −0: the farther, the more its bits.
+        let far = sign_mask(NEAR_ZERO.to_bits().wrapping_sub(y.to_bits()));
+        let part = masked(far, 1.0 - cos, log * exponent.slope());
         let root = Scalar::sqrt(part * (1.0 + cos));
-        let sin = choose::<SELECTS>(near, || root * self.side, || root);
-        (cos, sin)
+        let sin = root * masked(far, 1.0, self.side);
+        (cos, f32::select(inside, sin, lower))
     }
 
     #[cold]
@@ -78,6 +89,21 @@ impl TailRoot {
             (p.upper(), p.lower())
         }
     }
+}
+
+/// All ones if the first bit is one.
+#[inline(always)]
+fn sign_mask(bits: u32) -> u32 {
+    (bits as i32 >> 31) as u32
+}
+
+/// `a` where the mask has ones, else `b`.
+///
+/// No comparison is seen, of which a compiler would make a jump, to either side at random.
+#[inline(always)]
+fn masked(mask: u32, a: f32, b: f32) -> f32 {
+    let (a, b) = (a.to_bits(), b.to_bits());
+    f32::from_bits(b ^ (a ^ b) & mask)
 }
 
 /// −2²⁴ ln `upper`, where `lower` is 1 − upper with digits of its own: relative accuracy beside 1
