@@ -18,6 +18,7 @@ pub enum Azimuth<T: Real> {
 }
 
 impl<T: Real> Azimuth<T> {
+    /// By what loops of vectors need: in space a conversion is no quicker for one sample.
     #[inline(always)]
     pub(crate) fn quick(self) -> CosSin<T::Quick> {
         match self {

@@ -63,22 +63,12 @@ impl TailRoot {
             let exponent = Exponent::of(y);
             (exponent.power(), exponent)
         };
-        if !SELECTS {
-            let near = y > NEAR_ZERO;
-            let part = if near {
-                log * exponent.slope()
-            } else {
-                1.0 - cos
-            };
-            let root = Scalar::sqrt(part * (1.0 + cos));
-            return (cos, if near { root * self.side } else { root });
-        }
-        // y is negative, or −0: the farther, the more its bits.
+        // y is negative, or −0: the farther from 0, the more its bits.
         let far = sign_mask(NEAR_ZERO.to_bits().wrapping_sub(y.to_bits()));
-        let part = masked(far, 1.0 - cos, log * exponent.slope());
+        let part = pick::<SELECTS>(far, || 1.0 - cos, || log * exponent.slope());
         let root = Scalar::sqrt(part * (1.0 + cos));
-        let sin = root * masked(far, 1.0, self.side);
-        (cos, f32::select(inside, sin, lower))
+        let sin = pick::<SELECTS>(far, || root, || root * self.side);
+        (cos, if inside { sin } else { lower })
     }
 
     #[cold]
@@ -97,13 +87,20 @@ fn sign_mask(bits: u32) -> u32 {
     (bits as i32 >> 31) as u32
 }
 
-/// `a` where the mask has ones, else `b`.
+/// `a` if the mask is of ones, else, where it is 0, `b`.
 ///
-/// No comparison is seen, of which a compiler would make a jump, to either side at random.
+/// By selects no comparison is seen, of which a compiler would make a jump, to either side at
+/// random.
 #[inline(always)]
-fn masked(mask: u32, a: f32, b: f32) -> f32 {
-    let (a, b) = (a.to_bits(), b.to_bits());
-    f32::from_bits(b ^ (a ^ b) & mask)
+fn pick<const SELECTS: bool>(mask: u32, a: impl FnOnce() -> f32, b: impl FnOnce() -> f32) -> f32 {
+    if SELECTS {
+        let (a, b) = (a().to_bits(), b().to_bits());
+        f32::from_bits(b ^ (a ^ b) & mask)
+    } else if mask != 0 {
+        a()
+    } else {
+        b()
+    }
 }
 
 /// −2²⁴ ln `upper`, where `lower` is 1 − upper with digits of its own: relative accuracy beside 1

@@ -59,9 +59,9 @@ impl Scalar for f32 {
 
     /// By its bits: in vectors one comparison for two, and on boards no routine.
     ///
-    /// Not or-ed with the comparison's ones: where AVX-512's registers are short, a compiler makes
-    /// a vector of ones anew for each element, by an instruction that waits for what its register
-    /// held (`Disk` took twice the time).
+    /// Not or-ed with the comparison's ones: where registers are short a compiler makes a vector of
+    /// ones anew for each element, which on AVX-512 waits for what its register held (`Disk` took
+    /// twice the time).
     #[inline(always)]
     fn probability(self) -> f32 {
         const ONE: u32 = 1.0f32.to_bits();

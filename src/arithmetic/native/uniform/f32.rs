@@ -39,8 +39,9 @@ fn deep(n: u64) -> f32 {
     assembled(n)
 }
 
-/// [`tail`] of n's halves, by the same sum or, where 2n + 1 has no more than 43 bits, by one of all
-/// of them.
+/// [`tail`] by the same sum or, where 2n + 1 has no more than 43 bits, by one of all of them.
+///
+/// n's halves are given apart: of the whole a compiler would make vectors of half as many elements.
 #[inline(always)]
 fn selected(upper: u32, lower: u32) -> f32 {
     let deep = upper >> 10 == 0;

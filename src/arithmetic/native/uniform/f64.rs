@@ -36,7 +36,7 @@ fn deep(n: u128) -> f64 {
     selected((n >> 64) as u64, n as u64)
 }
 
-/// [`tail`] of n's halves by one sum of floats, which rounds: as in `f32`, of all 78 bits of
+/// [`tail`] by one sum of floats, which rounds: as in `f32`, of n's halves and of all 78 bits of
 /// 2n + 1, or of the leading 104 of n.
 #[inline(always)]
 fn selected(upper: u64, lower: u64) -> f64 {
