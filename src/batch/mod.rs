@@ -84,11 +84,30 @@ struct Blocks<'a, T, L, F, const N: usize> {
     f: F,
 }
 
-/// No vector lies across two lines of a cache.
+/// Bytes of a cache's line.
+const LINE: usize = 64;
+
+/// Elements of a batch that a block more is little of.
+const LONG: usize = 16 * BLOCK;
+
+/// As lines of a cache lie.
 #[repr(align(64))]
 struct Aligned<A>(A);
 
 impl<T: Batch, L: Lanes, F: Fn(L::Item) -> [T; N], const N: usize> Blocks<'_, T, L, F, N> {
+    /// Elements of the block at `at`: of a long batch the first ends where a line of the cache
+    /// begins, so that no store of the others lies across two.
+    #[inline(always)]
+    fn length(&self, at: usize) -> usize {
+        let Some(to) = self.to.first().filter(|_| at == 0 && self.len >= LONG) else {
+            return BLOCK;
+        };
+        match to.as_ptr().align_offset(LINE) {
+            0 => BLOCK,
+            head => head.min(BLOCK),
+        }
+    }
+
     #[inline(always)]
     fn run(mut self) {
         // Once for all blocks: zeros for each would take as long as some laws.
@@ -96,7 +115,7 @@ impl<T: Batch, L: Lanes, F: Fn(L::Item) -> [T; N], const N: usize> Blocks<'_, T,
         let mut results = Aligned([[T::ZERO; BLOCK]; N]);
         let mut at = 0;
         while at < self.len {
-            let len = BLOCK.min(self.len - at);
+            let len = self.length(at).min(self.len - at);
             self.from.fill(at, len, &mut block.0);
             for i in 0..BLOCK {
                 let result = (self.f)(L::item(&block.0, i));

@@ -5,6 +5,13 @@ use coslobe::uniform::{TailBits, TurnBits};
 use kit::Number;
 use kit::batch::BatchNumber;
 
+/// Lengths, and how many numbers results lie behind the start of their memory: long batches end
+/// their first block where a line of the cache begins.
+pub(crate) fn lengths_and_places() -> impl Iterator<Item = (usize, usize)> {
+    let long = [0, 1, 6, 15].map(|place| (1100, place));
+    LENGTHS.map(|len| (len, 0)).chain([(1000, 0)]).chain(long)
+}
+
 /// Shorter and longer than a block, and none.
 pub(crate) const LENGTHS: std::ops::RangeInclusive<usize> = 0..=67;
 

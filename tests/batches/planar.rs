@@ -1,6 +1,6 @@
 //! Laws in the plane: directions of words and of a generator.
 
-use super::inputs::LENGTHS;
+use super::inputs::{LENGTHS, lengths_and_places};
 use crate::same;
 use coslobe::rand_core::Rng;
 use coslobe::uniform::TailBits;
@@ -9,14 +9,15 @@ use kit::{Named, Number};
 use rand_pcg::{Pcg32, Pcg64};
 
 fn draws<T: Batch + Number, L: Planar<T> + Named, R: Rng + Clone>(law: &L, rng: R, width: &str) {
-    for len in LENGTHS.chain([1000]) {
+    for (len, place) in lengths_and_places() {
         let (mut one, mut other) = (rng.clone(), rng.clone());
-        let (mut sin, mut cos) = (vec![T::HALF; len], vec![T::HALF; len]);
-        assert_eq!(law.sample_slice(&mut one, [&mut sin, &mut cos]), Ok(()));
+        let [mut sin, mut cos] = [(); 2].map(|()| vec![T::HALF; place + len]);
+        let (sin, cos) = (&mut sin[place..], &mut cos[place..]);
+        assert_eq!(law.sample_slice(&mut one, [sin, cos]), Ok(()));
         let scalar: Vec<_> = (0..len).map(|_| law.sample(&mut other)).collect();
         let what = format!("{} {} sample, {width}, {len}", L::ID.name(), T::NAME);
-        same(&what, &sin, scalar.iter().map(|d| d[0]));
-        same(&what, &cos, scalar.iter().map(|d| d[1]));
+        same(&what, sin, scalar.iter().map(|d| d[0]));
+        same(&what, cos, scalar.iter().map(|d| d[1]));
         assert_eq!(one.next_u64(), other.next_u64(), "{what}: state");
     }
 }

@@ -1,6 +1,6 @@
 //! Laws in space: directions of pairs, of words and of a generator.
 
-use super::inputs::{LENGTHS, numbers, pairs};
+use super::inputs::{LENGTHS, lengths_and_places, numbers, pairs};
 use crate::same;
 use coslobe::rand_core::Rng;
 use coslobe::uniform::{TailBits, TurnBits};
@@ -38,10 +38,12 @@ fn directions<T: Batch + Number, L: Spatial<T> + Named>(law: &L, width: &str) {
 }
 
 fn draws<T: Batch + Number, L: Spatial<T> + Named, R: Rng + Clone>(law: &L, rng: R, width: &str) {
-    for len in LENGTHS.chain([1000]) {
+    for (len, place) in lengths_and_places() {
         let (mut one, mut other) = (rng.clone(), rng.clone());
-        let mut out = empty(len);
-        assert_eq!(law.sample_slice(&mut one, slices(&mut out)), Ok(()));
+        let mut out = empty(place + len);
+        let mut out = out.each_mut().map(|v| &mut v[place..]);
+        let slices = out.each_mut().map(|v| &mut **v);
+        assert_eq!(law.sample_slice(&mut one, slices), Ok(()));
         let scalar: Vec<_> = (0..len).map(|_| law.sample(&mut other)).collect();
         for (i, out) in out.iter().enumerate() {
             let what = format!("{} {} sample {i}, {width}, {len}", L::ID.name(), T::NAME);
