@@ -9,6 +9,7 @@ use crate::scipy::Scipy;
 use crate::tables::or_dash;
 use crate::time::ROUNDS;
 use crate::{limits, slices, summary};
+use kit::promises_ulps;
 use kit::study::cell::DRAWS;
 use std::fmt::Write;
 
@@ -121,7 +122,8 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
         out,
         "\n## Directions against the quickest peer\n\n\
          Time of `sample` as a multiple of that of the quickest peer of the same format. *Uniform and azimuth*: what a\n\
-         direct sampler in space spends before any law, one at a time, in the plain type; slices go below it."
+         direct sampler in space spends before any law, one at a time, in the plain type and the coarse one; slices go\n\
+         below it."
     )?;
     for format in ["f32", "f64"] {
         let types: Vec<&String> = types.iter().filter(|name| plain(name) == format).collect();
@@ -145,11 +147,14 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
             for row in samples {
                 write!(out, " {:.2} |", row.time_to_plain / peer.time_to_plain)?;
             }
-            let parts = rows
-                .iter()
-                .find(|r| r.law == *law && r.operation == PARTS && r.name == format);
+            let parts = rows.iter().filter(|r| {
+                let shown = r.name == format || !promises_ulps(&r.name);
+                r.law == *law && r.operation == PARTS && r.format == format && shown
+            });
             let share = |r: &Row| format!("{:.2}", r.time_to_plain / peer.time_to_plain);
-            writeln!(out, " {} |", or_dash(parts, share))?;
+            let shares = parts.map(share).collect::<Vec<_>>();
+            let shares = Some(shares.join(", ")).filter(|s| !s.is_empty());
+            writeln!(out, " {} |", or_dash(shares, |s| s))?;
         }
     }
     Ok(())
