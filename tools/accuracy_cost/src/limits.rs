@@ -196,7 +196,7 @@ pub(crate) fn section(
         "\n## Limits of time\n\n\
          Multiples of a time in the same run, and what they are not to exceed: {} of {} are reached. Against the\n\
          quickest peer of the study in the same format, or the one named; `cargo run --release -p accuracy_cost -- limits`\n\
-         measures these alone. Mitsuba's by `tools/mitsuba_peer.py`. Of a draw in `Fast<f32>`, its words, uniform and azimuth\n\
+         measures these alone. Mitsuba's by `tools/mitsuba_peer.py`. Of a draw in the coarse type, words, uniform and azimuth\n\
          alone take what the table of directions says.\n",
         count("reached"),
         limits.len()
