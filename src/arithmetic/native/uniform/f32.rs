@@ -95,8 +95,8 @@ pub(crate) fn apart(n: u32, nearer: impl Fn(u32) -> f32) -> [f32; 2] {
     let is_upper = n >> 31 != 0;
     let n = if is_upper { !n } else { n };
     let p = nearer(n);
-    let halves = (1 << 24) - (n >> 7);
-    let q = f32::from_bits((halves >> 1) + 0.5f32.to_bits());
+    let halves = (1u32 << 24).wrapping_sub(n >> 7);
+    let q = f32::from_bits((halves >> 1).wrapping_add(0.5f32.to_bits()));
     if is_upper { [q, p] } else { [p, q] }
 }
 
