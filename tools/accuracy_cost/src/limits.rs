@@ -196,8 +196,8 @@ pub(crate) fn section(
         "\n## Limits of time\n\n\
          Multiples of a time in the same run, and what they are not to exceed: {} of {} are reached. Against the\n\
          quickest peer of the study in the same format, or the one named; `cargo run --release -p accuracy_cost -- limits`\n\
-         measures these alone. Mitsuba's by `tools/mitsuba_peer.py`. Of a draw in the coarse type, words, uniform and azimuth\n\
-         alone take what the table of directions says.\n",
+         measures these alone. Mitsuba's by `tools/mitsuba_peer.py`. What a draw takes before any law, in\n\
+         the plain type and the coarse one, stands above as *uniform and azimuth*.\n",
         count("reached"),
         limits.len()
     )?;
