@@ -14,6 +14,7 @@ pub(crate) trait Lanes {
 
     /// The lengths of its slices.
     fn len(&self) -> impl IntoIterator<Item = usize>;
+    /// Room for a block.
     fn zeros() -> Self::Block;
     /// Fills the first `len` ≤ [`BLOCK`] places of a block with the elements from `at` on, `len` of
     /// them or as many as the slices still have. What the others hold does not matter.

@@ -64,7 +64,7 @@ impl TailRoot {
             (exponent.power(), exponent)
         };
         // y is negative, or −0: the farther from 0, the more its bits.
-        let far = sign_mask(NEAR_ZERO.to_bits().wrapping_sub(y.to_bits()));
+        let far = (NEAR_ZERO.to_bits().wrapping_sub(y.to_bits()) as i32 >> 31) as u32;
         let part = pick::<SELECTS>(far, || 1.0 - cos, || log * exponent.slope());
         let root = Scalar::sqrt(part * (1.0 + cos));
         let sin = pick::<SELECTS>(far, || root, || root * self.side);
@@ -79,12 +79,6 @@ impl TailRoot {
             (p.upper(), p.lower())
         }
     }
-}
-
-/// All ones if the first bit is one.
-#[inline(always)]
-fn sign_mask(bits: u32) -> u32 {
-    (bits as i32 >> 31) as u32
 }
 
 /// `a` if the mask is of ones, else, where it is 0, `b`.
