@@ -15,8 +15,8 @@ import sys
 from mpmath import mp, mpf, asin, atan, atanh, cbrt, cos, pi, sin, sqrt
 
 
-# Half of cbrt 1/2 in Q16: powers of z - 0.397 keep the partial sums small.
-KEPLER_MIDDLE = 26008
+# Such that all polynomials of either side have one degree, and their values are in one binade.
+KEPLER_SPLIT = mpf(11) / 64
 
 
 def of_square(f):
@@ -32,16 +32,17 @@ def kepler_angle(z, newton):
 
 
 def specs(newton):
+    grown = lambda x: x * (1 + mpf(2) ** -12)
     eta = lambda z: kepler_angle(z, newton)
-    top = cbrt(mpf(1) / 2)
-    d = lambda z: mpf(1) / 2 - z**3
-    # At d = 0 the quotients by d are their limits, pi/2 each.
-    over_d = lambda f: (lambda z: f(z) / d(z) if abs(d(z)) > mpf(10) ** -40 else pi / 2)
-    middle = mpf(KEPLER_MIDDLE) / 65536
-    centred = lambda f: (lambda x: over_d(f)(x + middle))
+    # The angle from the axis at the tail 1/2 - w / 2.
+    theta = lambda w: pi / 2 - eta(cbrt((1 - w) / 2))
+    # What is squared is cut off to Q16, and so is its square: at the split by so much on average.
+    cut = lambda f, q: (lambda v: of_square(f)(v + (q + mpf(1) / 2) / 65536))
+    tops = (cbrt(KEPLER_SPLIT), 1 - 2 * KEPLER_SPLIT)
+    at_end, at_centre = (lambda f: cut(f, tops[0])), (lambda f: cut(f, tops[1]))
+    end, centre = ((0, grown(top**2)) for top in tops)
     tail = lambda s: mpf(1) / 2 - (asin(s) + s * sqrt(1 - s * s)) / pi
     of_sine = lambda s: (tail(s) / (1 - s * s) ** mpf("1.5") if s < 1 - mpf(10) ** -30 else 2 / (3 * pi))
-    grown = lambda x: x * (1 + mpf(2) ** -12)
     of_twice = lambda f: (lambda x: f(2 * x if abs(x) > mpf(10) ** -60 else mpf(10) ** -60))
     sinc = of_square(lambda x: sin(x) / x)
     # name, function, interval, log2 of the error wanted, None or k, what it is
@@ -49,12 +50,14 @@ def specs(newton):
         ("CBRT", lambda x: cbrt(1 - x), (0, 0.5), -15, 16, "cbrt(1 - x), less 1"),
         ("TURN_SIN", of_square(lambda y: sin(pi / 4 * y) / y * 2), (0, 1), -13.5, 15, "2 sin(pi y / 4) / y in y^2"),
         ("TURN_COS", of_square(lambda y: cos(pi / 4 * y)), (0, 1), -13.5, 15, "cos(pi y / 4) in y^2"),
-        ("KEPLER_COS", of_square(lambda z: sin(eta(z)) / z), (0, grown(top**2)), -13.7, 15,
-         "cos theta / z in z^2, z = cbrt p, p <= 1/2"),
-        ("KEPLER_SIN", centred(lambda z: cos(eta(z)) / 2), (-middle, grown(top) - middle), -13.3, 15,
-         "sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
-        ("KEPLER_ANGLE", centred(lambda z: (pi / 2 - eta(z)) / pi), (-middle, grown(top) - middle), -14.2, 14,
-         "theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p"),
+        ("END_COS", at_end(lambda z: sin(eta(z)) / z), end, -14.5, 15,
+         "cos theta / z in z^2, z = cbrt p, p < KEPLER_SPLIT"),
+        ("END_SIN", at_end(lambda z: cos(eta(z))), end, -14.5, 14, "sin theta in the same"),
+        ("END_ANGLE", at_end(lambda z: eta(z) / z), end, -14.8, 15, "(pi/2 - theta) / z in the same"),
+        ("CENTRE_SIN", at_centre(lambda w: 2 * sin(theta(w)) / w), centre, -14.8, 15,
+         "2 sin theta / w in w^2, w = 1 - 2 p"),
+        ("CENTRE_COS", at_centre(lambda w: cos(theta(w))), centre, -14.5, 14, "cos theta in the same"),
+        ("CENTRE_ANGLE", at_centre(lambda w: 2 * theta(w) / w), centre, -14.8, 15, "2 theta / w in the same"),
         ("EXP2", lambda g: mpf(4) ** g - 2 * g, (0, 0.5), -15, 14, "4^x - 2x, less 1"),
         ("EXP2_M1", of_twice(lambda y: -mp.expm1(-y * mp.log(2)) / y), (0, 0.1875), -13.7, 16, "(1 - 2^-y) / y, y = 2x"),
         ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
@@ -141,8 +144,8 @@ def write(series_free, newton, text):
         "",
         "use super::fixed::FixedPoint;",
         "",
-        "/// Half of cbrt 1/2, in Q16.",
-        f"pub(crate) const KEPLER_MIDDLE: i32 = {KEPLER_MIDDLE};",
+        "/// Tail of the disk's law below which a direction is measured from the end, else from the axis.",
+        f"pub(crate) const KEPLER_SPLIT: f32 = {mp.nstr(KEPLER_SPLIT, 10)};",
     ]
     for name, f, interval, wanted, k, doc in specs(newton):
         c, error = fit(series_free(f, *interval, n=28), interval, wanted, k, name in ONE_AT_ZERO)

@@ -6,8 +6,8 @@
 
 use super::fixed::FixedPoint;
 
-/// Half of cbrt 1/2, in Q16.
-pub(crate) const KEPLER_MIDDLE: i32 = 26008;
+/// Tail of the disk's law below which a direction is measured from the end, else from the axis.
+pub(crate) const KEPLER_SPLIT: f32 = 0.171875;
 
 /// cbrt(1 - x), less 1; relative error 2^-16.58; k = 16
 pub(crate) const CBRT: FixedPoint<3> = FixedPoint {
@@ -30,27 +30,46 @@ pub(crate) const TURN_COS: FixedPoint<1> = FixedPoint {
     last: 503,
 };
 
-/// cos theta / z in z^2, z = cbrt p, p <= 1/2; relative error 2^-14.08; k = 15
-pub(crate) const KEPLER_COS: FixedPoint<3> = FixedPoint {
-    first: 3600132758,
-    inner: [-998111376, -533342294, 301449929],
-    last: -12519,
+/// cos theta / z in z^2, z = cbrt p, p < KEPLER_SPLIT; relative error 2^-17.29; k = 15
+pub(crate) const END_COS: FixedPoint<2> = FixedPoint {
+    first: 3600346711,
+    inner: [-1014092930, -354476730],
+    last: -5604,
 };
 
-/// sin theta / 2d in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p; relative error 2^-13.48; k = 15
-pub(crate) const KEPLER_SIN: FixedPoint<4> = FixedPoint {
-    first: 1898243359,
-    inner: [-822171693, 258729954, 1227775960, -890779853],
-    last: 29691,
+/// sin theta in the same; relative error 2^-16.78; k = 14
+pub(crate) const END_SIN: FixedPoint<2> = FixedPoint {
+    first: 1073727008,
+    inner: [-1509823688, -200554305],
+    last: -2195,
 };
 
-/// theta / (pi d) in z - KEPLER_MIDDLE, z = cbrt p, d = 1/2 - p; relative error 2^-15.58; k = 14
-pub(crate) const KEPLER_ANGLE: FixedPoint<6> = FixedPoint {
-    first: 690721117,
-    inner: [
-        -696958947, 744145668, -21148037, -155434879, 668874529, 316062636,
-    ],
-    last: 28664,
+/// (pi/2 - theta) / z in the same; relative error 2^-17.5; k = 15
+pub(crate) const END_ANGLE: FixedPoint<2> = FixedPoint {
+    first: 3600332021,
+    inner: [676597630, 296413120],
+    last: 5099,
+};
+
+/// 2 sin theta / w in w^2, w = 1 - 2 p; relative error 2^-16.62; k = 15
+pub(crate) const CENTRE_SIN: FixedPoint<2> = FixedPoint {
+    first: 3373232277,
+    inner: [349120337, 115101172],
+    last: 2325,
+};
+
+/// cos theta in the same; relative error 2^-14.89; k = 14
+pub(crate) const CENTRE_COS: FixedPoint<2> = FixedPoint {
+    first: 1073771400,
+    inner: [-333448600, -95714360],
+    last: -2115,
+};
+
+/// 2 theta / w in the same; relative error 2^-14.95; k = 15
+pub(crate) const CENTRE_ANGLE: FixedPoint<2> = FixedPoint {
+    first: 3373165249,
+    inner: [700980505, 265300097],
+    last: 6941,
 };
 
 /// 4^x - 2x, less 1; relative error 2^-17.8; k = 14

@@ -35,12 +35,13 @@ pub(crate) const fn leading_30(r: u32, e: i32) -> f32 {
     f32::from_bits((r >> 7).wrapping_add(((125 + e) << 23) as u32))
 }
 
-/// x in Q16, truncated, for 0 ≤ x < 2; some number for any other x.
+/// x in Q`places`, for 0 ≤ x < 2, at most 22 places; some number for any other x.
 #[inline(always)]
-pub(crate) fn q16(x: f32) -> i32 {
+pub(crate) fn truncated(x: f32, places: u32) -> i32 {
     let bits = x.to_bits();
     let significand = (bits & 0x007F_FFFF) | 0x0080_0000;
-    (significand >> 134u32.wrapping_sub(bits >> 23).min(31)) as i32
+    let shift = 150u32.wrapping_sub(places).wrapping_sub(bits >> 23);
+    (significand >> shift.min(31)) as i32
 }
 
 /// x, or 1 where an error has put x beyond it; NaN as it is.

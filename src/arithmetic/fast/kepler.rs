@@ -1,16 +1,17 @@
 //! The tail of the disk's law and its inverse.
 //!
-//! With z = ∛p, cos θ/z is analytic in z² and |sin θ|/d, d = ½ − p, is analytic in z, over the
-//! whole half range: cos θ has all its digits at the end and sin θ at the axis, with no iteration
-//! and no choice between branches.
+//! Beside the end cos θ is an odd function of z = ∛p and |sin θ| an even one; beside the axis
+//! |sin θ| is odd in d = ½ − p and cos θ even. So each has all its digits where it vanishes, by
+//! short polynomials and no iteration, and about the axis no root is taken.
 
 use super::angle::from_end;
 use super::coefficients::{
-    KEPLER_ANGLE, KEPLER_COS, KEPLER_MIDDLE, KEPLER_SIN, TAIL_OF_ANGLE, TAIL_OF_SINE,
+    CENTRE_ANGLE, CENTRE_COS, CENTRE_SIN, END_ANGLE, END_COS, END_SIN, KEPLER_SPLIT, TAIL_OF_ANGLE,
+    TAIL_OF_SINE,
 };
-use super::fixed::{at_most_one, horner, leading_30, leading_31, q16};
-use super::root::cbrt;
-use core::f32::consts::PI;
+use super::fixed::{FixedPoint, at_most_one, horner, leading_30, leading_31, truncated};
+use super::root::{BY_SELECTS, cbrt_by};
+use crate::scalar::Scalar;
 
 /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
 #[inline]
@@ -26,20 +27,89 @@ pub(crate) fn tail_at_direction(cos: f32, sin: f32) -> f32 {
     cos * cos * cos * horner(sin, &TAIL_OF_SINE)
 }
 
+/// Whether a direction is measured from the end; of NaN either.
+#[inline(always)]
+fn beside_end(p: f32) -> bool {
+    (p.to_bits() as i32) < KEPLER_SPLIT.to_bits() as i32
+}
+
+/// (q, x² in Q16): beside the end q = x = ∛p, else q = ½ − p and x = 2q.
+#[inline(always)]
+fn place<const SELECTS: bool>(is_end: bool, p: f32) -> (f32, i32) {
+    let q = if is_end {
+        cbrt_by::<SELECTS>(p)
+    } else {
+        0.5 - p
+    };
+    let x = truncated(q, if is_end { 16 } else { 17 }) as u32;
+    // By selects the compiler sees that all factors have 16 bits, as vectors need it.
+    let x = if SELECTS { x & 0xFFFF } else { x };
+    let square = x.wrapping_mul(x) >> 16;
+    (q, if SELECTS { square & 0x7FFF } else { square } as i32)
+}
+
+/// At x² the polynomial for the end or that for the axis: by selects its coefficients are chosen,
+/// so that one is worked out.
+#[inline(always)]
+fn either<const SELECTS: bool>(
+    is_end: bool,
+    end: &FixedPoint<2>,
+    centre: &FixedPoint<2>,
+    square: i32,
+) -> u32 {
+    if SELECTS {
+        let mask = -i32::from(is_end);
+        let of = |a: i32, b: i32| b.wrapping_add(a.wrapping_sub(b) & mask);
+        FixedPoint {
+            first: of(end.first as i32, centre.first as i32) as u32,
+            inner: [0, 1].map(|i| of(end.inner[i], centre.inner[i])),
+            last: of(end.last, centre.last),
+        }
+        .at(square)
+    } else if is_end {
+        end.at(square)
+    } else {
+        centre.at(square)
+    }
+}
+
 /// (cos θ, |sin θ|) at the nearer tail p ≤ ½.
 #[inline]
 pub(crate) fn direction_at_tail(p: f32) -> (f32, f32) {
-    let z = cbrt(p);
-    let x = q16(z);
-    let square = ((x as u32).wrapping_mul(x as u32) >> 16) as i32;
-    let cos = z * leading_31(KEPLER_COS.at(square), 0);
-    let sin = (0.5 - p) * leading_30(KEPLER_SIN.at(x.wrapping_sub(KEPLER_MIDDLE)), 1);
-    (at_most_one(cos), at_most_one(sin))
+    direction_at_tail_by::<BY_SELECTS>(p)
 }
 
-/// |θ| at the nearer tail p ≤ ½; may exceed π/2 by the error.
+#[inline(always)]
+pub(super) fn direction_at_tail_by<const SELECTS: bool>(p: f32) -> (f32, f32) {
+    if !SELECTS && p.to_bits() > 0.5f32.to_bits() {
+        return (p, p);
+    }
+    let is_end = beside_end(p);
+    let (q, square) = place::<SELECTS>(is_end, p);
+    let odd = q * leading_31(either::<SELECTS>(is_end, &END_COS, &CENTRE_SIN, square), 0);
+    let even = either::<SELECTS>(is_end, &END_SIN, &CENTRE_COS, square);
+    let even = at_most_one(leading_30(even << 1, 0));
+    let even = if SELECTS {
+        f32::select(p <= 0.5, even, p)
+    } else {
+        even
+    };
+    f32::swap_if_odd(u32::from(is_end), even, odd)
+}
+
+/// |θ| at the nearer tail p ≤ ½.
 #[inline]
 pub(crate) fn angle_at_tail(p: f32) -> f32 {
-    let x = q16(cbrt(p));
-    (0.5 - p) * PI * leading_30(KEPLER_ANGLE.at(x.wrapping_sub(KEPLER_MIDDLE)) << 1, 0)
+    angle_at_tail_by::<BY_SELECTS>(p)
+}
+
+#[inline(always)]
+pub(super) fn angle_at_tail_by<const SELECTS: bool>(p: f32) -> f32 {
+    let is_end = beside_end(p);
+    let (q, square) = place::<SELECTS>(is_end, p);
+    if is_end {
+        f32::HALF_PI_DOWN - q * leading_31(END_ANGLE.at(square), 0)
+    } else {
+        q * leading_31(CENTRE_ANGLE.at(square), 0)
+    }
 }

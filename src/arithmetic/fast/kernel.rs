@@ -60,7 +60,7 @@ impl Kernel for Fast<f32> {
 
     #[inline(always)]
     fn sqrt_scaled(a: Self, f: impl Fn(Self) -> Self) -> Self {
-        Fast(root::sqrt_scaled(a.0, |x| f(Fast(x)).0))
+        Fast(root::scaled_root(f(Fast(a.0 * root::UP)).0))
     }
     #[inline(always)]
     fn cbrt(self) -> Self {
@@ -166,6 +166,10 @@ impl Kernel for Fast<f32> {
             Self::select(inside, Self::one_minus_exp(a), Self::ONE),
             Self::select(inside, Self::exp_times(a, Self::ONE), Self::ZERO),
         )
+    }
+    #[inline(always)]
+    fn cube_warp(p: Tails<Self>) -> CosSin<Self> {
+        fast(root::cube_warp(p.lower().0, p.upper().0))
     }
     #[inline(always)]
     fn fourth_power_warp(p: Tails<Self>) -> CosSin<Self> {

@@ -40,26 +40,24 @@ pub(crate) fn cbrt(x: f32) -> f32 {
 pub(super) fn cbrt_by<const SELECTS: bool>(x: f32) -> f32 {
     if SELECTS {
         // Scaled up always: no choice for subnormal numbers.
-        f32::select(x > 0.0, of_scaled::<true>(x), x)
-    } else if unusual(x.to_bits()) {
-        of_unusual(x)
+        f32::select(x > 0.0, of_normal::<true>((x * UP).to_bits(), BIAS - 24), x)
     } else {
-        of_normal::<false>(x.to_bits(), BIAS)
+        of_any(x.to_bits())
     }
 }
 
-#[cold]
-fn of_unusual(x: f32) -> f32 {
-    if x > 0.0 && x < f32::MIN_POSITIVE {
-        of_scaled::<false>(x)
-    } else {
-        x
-    }
-}
-
+/// No call of a product, for which each caller would save registers.
 #[inline(always)]
-fn of_scaled<const SELECTS: bool>(x: f32) -> f32 {
-    of_normal::<SELECTS>((x * UP).to_bits(), BIAS - 24)
+fn of_any(bits: u32) -> f32 {
+    let (mut scaled, mut shift) = (bits, 0);
+    if unusual(bits) {
+        if bits.wrapping_sub(1) >= f32::MIN_POSITIVE.to_bits() {
+            return f32::from_bits(bits);
+        }
+        shift = bits.leading_zeros().wrapping_sub(8);
+        scaled = bits.wrapping_shl(shift);
+    }
+    of_normal::<false>(scaled, BIAS.wrapping_sub(shift))
 }
 
 /// Twice the exponent's, less 3: the leading one of the root's significand counts in its exponent.
@@ -94,34 +92,40 @@ fn of_normal<const SELECTS: bool>(bits: u32, bias: u32) -> f32 {
     f32::from_bits(root.wrapping_add(PART_Q23).wrapping_add(product as u32))
 }
 
-/// Half of what is no less is normal.
-const SAFE: f32 = 2.0 * f32::MIN_POSITIVE;
-
-/// √f(a) for a/2 ≤ f(a) ≤ a, without losing digits where that is subnormal.
+/// Of what was scaled by [`UP`].
 #[inline(always)]
-pub(crate) fn sqrt_scaled(a: f32, f: impl Fn(f32) -> f32) -> f32 {
-    sqrt_scaled_by::<BY_SELECTS>(a, f)
-}
-
-#[inline(always)]
-pub(super) fn sqrt_scaled_by<const SELECTS: bool>(a: f32, f: impl Fn(f32) -> f32) -> f32 {
-    if SELECTS {
-        scaled_root(f(a * UP))
-    } else if a.to_bits() < SAFE.to_bits() {
-        root_of_subnormal(a, f)
-    } else {
-        Scalar::sqrt(f(a))
-    }
-}
-
-#[inline(always)]
-fn scaled_root(x: f32) -> f32 {
+pub(crate) fn scaled_root(x: f32) -> f32 {
     Scalar::sqrt(x) * f32::ROOT_DOWN
 }
 
+/// Half of what is no less is normal. Of a tail that is less, the other is 1.
+const SAFE: f32 = 2.0 * f32::MIN_POSITIVE;
+
+/// (cos θ, sin θ) at a tail below [`SAFE`] with sin²θ = lower·ratio: scaled up, so that a subnormal
+/// product loses no digits. The last call of who makes it, so that no register is saved for it.
 #[cold]
-fn root_of_subnormal(a: f32, f: impl Fn(f32) -> f32) -> f32 {
-    scaled_root(f(a * UP))
+fn beside_axis(lower: f32, ratio: f32) -> (f32, f32) {
+    (1.0, scaled_root(lower * UP * ratio))
+}
+
+/// (cos θ, sin θ) with cos³θ = upper.
+#[inline(always)]
+pub(crate) fn cube_warp(lower: f32, upper: f32) -> (f32, f32) {
+    cube_warp_by::<BY_SELECTS>(lower, upper)
+}
+
+#[inline(always)]
+pub(super) fn cube_warp_by<const SELECTS: bool>(lower: f32, upper: f32) -> (f32, f32) {
+    let cos = cbrt_by::<SELECTS>(upper);
+    let next = 1.0 + cos;
+    let ratio = next / (next + cos * cos);
+    if SELECTS {
+        (cos, scaled_root(lower * UP * ratio))
+    } else if lower.to_bits() < SAFE.to_bits() {
+        beside_axis(lower, ratio)
+    } else {
+        (cos, Scalar::sqrt(lower * ratio))
+    }
 }
 
 /// Below it, sin²θ of [`fourth_power_warp`] is half the lower tail.
@@ -141,13 +145,17 @@ pub(crate) fn fourth_power_warp(lower: f32, upper: f32) -> (f32, f32) {
 #[inline(always)]
 pub(super) fn fourth_power_warp_by<const SELECTS: bool>(lower: f32, upper: f32) -> (f32, f32) {
     let square = Scalar::sqrt(upper);
-    let sin = if SELECTS {
+    if SELECTS {
         let (half, rest) = (lower * (UP * HALF), UP - square * UP);
-        scaled_root(f32::select(lower < AXIS, half, rest))
-    } else if lower.to_bits() >= AXIS.to_bits() {
-        Scalar::sqrt(1.0 - square)
+        let sin = scaled_root(f32::select(lower < AXIS, half, rest));
+        return (Scalar::sqrt(square), sin);
+    }
+    let part = if lower.to_bits() >= AXIS.to_bits() {
+        1.0 - square
+    } else if lower.to_bits() >= SAFE.to_bits() {
+        lower * HALF
     } else {
-        sqrt_scaled_by::<false>(lower, |x| x * HALF)
+        return beside_axis(lower, HALF);
     };
-    (Scalar::sqrt(square), sin)
+    (Scalar::sqrt(square), Scalar::sqrt(part))
 }

@@ -102,8 +102,7 @@ pub(crate) fn fast(out: &mut String, rows: &[Row], laws: &[String], calls: &[&st
         out,
         "\n## `Fast<f32>` against `f32` on this host\n\n\
          Instructions of `f32` over those of `Fast<f32>`: at least 2 (bold) in {} of {} cells, below 1 in {}, where\n\
-         `Fast` costs more than the plain type: its cube root is integer arithmetic, made for processors with no\n\
-         floating-point unit.\n\n\
+         `Fast` works out two ways and selects one, to be without a quotient.\n\n\
          | operation | {} |\n|---|{}",
         count(|x| x >= 2.0),
         all.len(),

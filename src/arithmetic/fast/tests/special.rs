@@ -77,7 +77,8 @@ fn special_values() {
     );
     assert!((angle::atan2_first(inf, inf) - half / 2.0).abs() < 1e-4);
     assert_eq!(kepler::direction_at_tail(0.0).0, 0.0);
-    assert_eq!(kepler::direction_at_tail(0.5).1, 0.0);
+    assert_eq!(kepler::direction_at_tail(0.5), (1.0, 0.0));
+    assert_eq!(kepler::angle_at_tail(0.0), END);
     assert!(angle::sin_cos(END).0 > 0.0 && kepler::tail_at_angle(END) > 0.0);
 }
 
@@ -89,6 +90,8 @@ fn nothing_rounds_to_more_than_one() {
         assert!(power <= 1.0 && (i != 0 || power == 1.0), "{i}: {power}");
         let x = f32::from_bits(0x3F7F_FFFF - (i << 8));
         assert!(root::cbrt(x) <= 1.0, "{x}");
+        let p = x / 2.0;
+        assert!(kepler::direction_at_tail(p).0 <= 1.0, "{p}");
     }
 }
 

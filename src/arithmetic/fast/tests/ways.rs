@@ -2,8 +2,9 @@
 
 use super::TailRoot;
 use crate::Tails;
+use crate::arithmetic::fast::kepler::{angle_at_tail_by, direction_at_tail_by};
 use crate::arithmetic::fast::power::{exp_times_by, ln_by, ln_cos_by, one_minus_exp_by};
-use crate::arithmetic::fast::root::{cbrt_by, fourth_power_warp_by, sqrt_scaled_by};
+use crate::arithmetic::fast::root::{cbrt_by, cube_warp_by, fourth_power_warp_by};
 
 /// Of two ways to compute a number: any NaN is as good as another.
 fn same(what: &str, [a, b]: [f32; 2], at: [f32; 2]) {
@@ -42,17 +43,23 @@ fn tails(p: Tails<f32>) {
         pair(root.by::<true>(p), root.by::<false>(p));
     }
     let [lower, upper] = at;
-    for ratio in [0.5, 0.6, 1.0] {
-        let f = |x| x * ratio;
-        let roots = [
-            sqrt_scaled_by::<true>(lower, f),
-            sqrt_scaled_by::<false>(lower, f),
-        ];
-        same("sqrt_scaled", roots, at);
-    }
+    pair(
+        cube_warp_by::<true>(lower, upper),
+        cube_warp_by::<false>(lower, upper),
+    );
     pair(
         fourth_power_warp_by::<true>(lower, upper),
         fourth_power_warp_by::<false>(lower, upper),
+    );
+    let (p, _) = p.nearer();
+    pair(
+        direction_at_tail_by::<true>(p),
+        direction_at_tail_by::<false>(p),
+    );
+    same(
+        "angle",
+        [angle_at_tail_by::<true>(p), angle_at_tail_by::<false>(p)],
+        at,
     );
 }
 
