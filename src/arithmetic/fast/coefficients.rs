@@ -30,7 +30,7 @@ pub(crate) const TURN_COS: FixedPoint<1> = FixedPoint {
     last: 503,
 };
 
-/// cos theta / z in z^2, z = cbrt p, p < KEPLER_SPLIT; relative error 2^-17.29; k = 15
+/// cos theta / z in z^2 as cut off, z = cbrt p, p < KEPLER_SPLIT; relative error 2^-17.29; k = 15
 pub(crate) const END_COS: FixedPoint<2> = FixedPoint {
     first: 3600346711,
     inner: [-1014092930, -354476730],
@@ -51,7 +51,7 @@ pub(crate) const END_ANGLE: FixedPoint<2> = FixedPoint {
     last: 5099,
 };
 
-/// 2 sin theta / w in w^2, w = 1 - 2 p; relative error 2^-16.62; k = 15
+/// 2 sin theta / w in w^2 as cut off, w = 1 - 2 p; relative error 2^-16.62; k = 15
 pub(crate) const CENTRE_SIN: FixedPoint<2> = FixedPoint {
     first: 3373232277,
     inner: [349120337, 115101172],
