@@ -1,10 +1,11 @@
 //! The limits of time, and what is reached.
 
 use crate::catalog;
-use crate::contender::{DIRECTION, EXPONENT, SAMPLE, whole};
+use crate::contender::{DIRECTION, EXPONENT, PARTS, SAMPLE, vectors, whole};
 use crate::mitsuba::{self, Mitsuba};
 use crate::row::{self, Row, ours, quickest};
 use crate::time::times;
+use coslobe::batch::width::Width;
 use kit::Id;
 use kit::promises_ulps;
 use std::error::Error;
@@ -18,6 +19,8 @@ struct Limit {
     most: f64,
     against: String,
     reached: Option<f64>,
+    /// What of it a part alone takes.
+    part: Option<f64>,
 }
 
 impl Limit {
@@ -40,7 +43,8 @@ impl Limit {
                 true => format!("{} in `{}`", r.call(), r.name),
                 false => r.name.clone(),
             }),
-            reached: own.zip(against).map(|(a, b)| a.time_to_f32 / b.time_to_f32),
+            reached: ratio(own, against),
+            part: None,
         }
     }
 
@@ -51,6 +55,26 @@ impl Limit {
             None => "not measured",
         }
     }
+}
+
+fn ratio(a: Option<&Row>, b: Option<&Row>) -> Option<f64> {
+    a.zip(b).map(|(a, b)| a.time / b.time)
+}
+
+/// What a call of the coarse type cannot be without: of a draw in space its words and azimuth, of a
+/// loop over pairs its roots and their stores.
+fn part<'a>(
+    rows: &'a [Row],
+    law: &str,
+    coarse: &str,
+    operation: &str,
+    width: Option<&str>,
+) -> Option<&'a Row> {
+    if operation == SAMPLE {
+        return ours(rows, [law, PARTS, coarse], None);
+    }
+    let width = width.unwrap_or(vectors(Width::Compiled));
+    ours(rows, [law, "warp_slice", coarse], Some(width))
 }
 
 /// Vectors of slices.
@@ -137,7 +161,10 @@ fn all(rows: &[Row], mitsuba: Option<&Mitsuba>) -> Vec<Limit> {
     let coarse = coarse.map_or("", |r| &r.name);
     let mut fast = |law, operation, width| {
         let plain = ours(rows, [law, operation, "f32"], width);
-        all.push(Limit::of(rows, [law, operation, coarse], width, 0.8, plain));
+        all.push(Limit {
+            part: ratio(part(rows, law, coarse, operation, width), plain),
+            ..Limit::of(rows, [law, operation, coarse], width, 0.8, plain)
+        });
     };
     draws.iter().for_each(|(law, _)| fast(law, SAMPLE, None));
     for (law, _) in pairs {
@@ -158,6 +185,7 @@ fn all(rows: &[Row], mitsuba: Option<&Mitsuba>) -> Vec<Limit> {
                 format!("Mitsuba {} at the same width", m.version)
             }),
             reached,
+            part: None,
         });
     }
     all
@@ -169,15 +197,16 @@ const SPHERE: &str = "UnitSphere + normal, rand_distr f32";
 fn table(out: &mut String, limits: &[Limit]) -> std::fmt::Result {
     writeln!(
         out,
-        "| law | operation | type | at most | is | of | |\n|---|---|---|---|---|---|---|"
+        "| law | operation | type | at most | is | a part alone | of | |\n|---|---|---|---|---|---|---|---|"
     )?;
     for limit in limits {
         let [law, operation, kind] = &limit.what;
-        let ratio = limit.reached.map_or("–".to_owned(), |r| format!("{r:.3}"));
+        let [ratio, part] =
+            [limit.reached, limit.part].map(|r| r.map_or("–".to_owned(), |r| format!("{r:.3}")));
         let (most, against, verdict) = (limit.most, &limit.against, limit.verdict());
         writeln!(
             out,
-            "| {law} | {operation} | {kind} | {most} | {ratio} | {against} | {verdict} |"
+            "| {law} | {operation} | {kind} | {most} | {ratio} | {part} | {against} | {verdict} |"
         )?;
     }
     Ok(())
@@ -196,8 +225,9 @@ pub(crate) fn section(
         "\n## Limits of time\n\n\
          Multiples of a time in the same run, and what they are not to exceed: {} of {} are reached. Against the\n\
          quickest peer of the study in the same format, or the one named; `cargo run --release -p accuracy_cost -- limits`\n\
-         measures these alone. Mitsuba's by `tools/mitsuba_peer.py`. What a draw takes before any law, in\n\
-         the plain type and the coarse one, stands above as *uniform and azimuth*.\n",
+         measures these alone. Mitsuba's by `tools/mitsuba_peer.py`. *A part alone*: what the coarse type takes of the same\n\
+         time for what it cannot be without: of a draw in space its words and azimuth, of a loop over pairs its roots and\n\
+         their stores (`warp_slice`).\n",
         count("reached"),
         limits.len()
     )?;

@@ -34,6 +34,9 @@ pub(crate) struct Row {
     pub(crate) time_to_plain: f64,
     pub(crate) next_u32: Option<f64>,
     pub(crate) next_u64: Option<f64>,
+    /// Nanoseconds of a call, for ratios of calls that have not the same result.
+    #[serde(skip)]
+    pub(crate) time: f64,
     /// The name in a plot.
     #[serde(skip)]
     pub(crate) short: String,
@@ -64,6 +67,7 @@ impl Row {
             time_to_plain: own / plain,
             next_u32: words.map(|w| w.next_u32),
             next_u64: words.map(|w| w.next_u64),
+            time: own,
             short: c.short.clone(),
         }
     }
