@@ -46,8 +46,8 @@ pub(super) fn cbrt_by<const SELECTS: bool>(x: f32) -> f32 {
     }
 }
 
-/// A subnormal number is made normal by integers: for a product, which may be a routine, each caller
-/// would save registers.
+/// A subnormal number is made normal by integers: for a product, which may be a routine, each
+/// caller would save registers.
 #[inline(always)]
 fn of_any(bits: u32) -> f32 {
     let (mut scaled, mut shift) = (bits, 0);
