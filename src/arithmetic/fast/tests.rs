@@ -104,11 +104,11 @@ const ROWS: &[Row] = &[
     row("tail_at_angle", -16.2, (TINY, END), (0.01, END), kepler::tail_at_angle, |x| tail(end(x))),
     row("tail_at_direction", -13.2, (TINY, END), (0.01, END),
         |x| kepler::tail_at_direction(cos(x), sin(x)), |x| tail(end(x))),
-    row("direction_at_tail: cos", -13.3, (TINY, 0.5), (1e-3, 0.5),
+    row("direction_at_tail: cos", -14.0, (TINY, 0.5), (1e-3, 0.5),
         |p| kepler::direction_at_tail(p).0, |p| libm::sin(eta(p))),
-    row("direction_at_tail: sin", -13.2, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),
+    row("direction_at_tail: sin", -13.5, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),
         |p| kepler::direction_at_tail(p).1, |p| libm::cos(eta(p))),
-    row("angle_at_tail", -14.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),
+    row("angle_at_tail", -14.2, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),
         kepler::angle_at_tail, |p| FRAC_PI_2 - eta(p)),
 ];
 
