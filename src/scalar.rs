@@ -67,4 +67,24 @@ pub trait Scalar:
             Self::NAN
         }
     }
+    /// Two [probabilities](Scalar::probability); if either is none, the first is NaN and the second
+    /// some number.
+    #[inline(always)]
+    fn probabilities(a: Self, b: Self) -> (Self, Self) {
+        one_by_one(a, b)
+    }
+}
+
+/// Whether rare cases are selected, as loops of vectors need, not branched to: on 32-bit processors
+/// an operation may be a routine. Always the same bits.
+pub(crate) const BY_SELECTS: bool = cfg!(target_pointer_width = "64");
+
+/// [`Scalar::probabilities`], each checked by itself.
+#[inline(always)]
+pub(crate) fn one_by_one<T: Scalar>(a: T, b: T) -> (T, T) {
+    if b >= T::ZERO && b <= T::ONE {
+        (a.probability(), b.abs())
+    } else {
+        (T::NAN, T::NAN)
+    }
 }

@@ -1,6 +1,6 @@
 //! A probability held as both its tails.
 
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 
 /// A probability as the pair (cdf, sf), each to full relative accuracy.
 ///
@@ -17,7 +17,12 @@ impl<T: Scalar> Tails<T> {
     /// The tails at cdf = `u`; NaN for `u` outside \[0, 1\].
     #[inline]
     pub fn from_lower(u: T) -> Self {
-        let lower = u.probability();
+        Self::at_lower(u.probability())
+    }
+
+    /// The tails at cdf = `lower`, a [probability](Scalar::probability) or NaN.
+    #[inline(always)]
+    pub(crate) fn at_lower(lower: T) -> Self {
         Tails {
             lower,
             upper: T::ONE - lower,
@@ -45,7 +50,7 @@ impl<T: Scalar> Tails<T> {
     /// their registers, which masks take them out of.
     #[inline(always)]
     pub(crate) fn from_side(p: T, is_upper: bool) -> Self {
-        if !cfg!(target_pointer_width = "64") {
+        if !BY_SELECTS {
             return Self::from_nearer(p, is_upper);
         }
         let side = u32::from(is_upper);

@@ -63,10 +63,6 @@ def specs(newton):
         ("SIN", sinc, (0, grown(pi**2 / 4)), -12.9, None, "sin x / x in x^2, |x| <= pi / 2"),
         ("COS", sinc, (0, grown(pi**2 / 4)), -15, None, "the same, finer: cosines are raised to powers"),
         ("HALF_TURN", of_square(lambda x: sin(pi * x) / x), (0, 0.25), -12.9, None, "sin(pi x) / x in x^2, x <= 1/2"),
-        ("EIGHTH_SIN", of_square(lambda x: sin(2 * pi * x) / x), (0, mpf(1) / 64), -13.5, None,
-         "sin(2 pi x) / x in x^2, |x| <= 1/8"),
-        ("EIGHTH_COS", of_square(lambda x: cos(2 * pi * x)), (0, mpf(1) / 64), -13.5, None,
-         "cos(2 pi x) in x^2, |x| <= 1/8"),
         ("ATAN", of_square(lambda x: atan(x) / x), (0, 1), -13.1, None, "atan x / x in x^2, |x| <= 1"),
         ("LN", of_square(lambda z: 2 * atanh(z) / z), (0, grown(3 - 2 * sqrt(2)) ** 2), -21, None,
          "2 atanh z / z in z^2, |z| <= 3 - 2 sqrt 2"),
@@ -82,19 +78,66 @@ def specs(newton):
 ONE_AT_ZERO = ("CBRT", "EXP2")
 
 
+def sollya_sum(proxy):
+    return "horner(" + "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(proxy)) + ")"
+
+
+def sollya(script):
+    """The numbers that a script prints after "C", and those after "E" as errors' binary logarithms."""
+    out = subprocess.run(["sollya"], input=script, capture_output=True, text=True).stdout
+    coefficients, errors = [], []
+    for line in out.splitlines():
+        if line[:2] in ("C ", "E "):
+            m, _, e = line[2:].strip().partition("b")
+            value = mpf(int(m)) * mpf(2) ** int(e or 0)
+            if line[0] == "C":
+                coefficients.append(value)
+            else:
+                errors.append(mp.log(value, 2))
+    if not coefficients or not errors:
+        sys.exit("sollya found no polynomial:\n" + out[:2000])
+    return coefficients, errors
+
+
+def azimuth(series_free):
+    """Sine and cosine of 2 pi u by one product of s = u (1/2 - u), u <= 1/2.
+
+    cos is (1/4 - u) (c0 + c1 T) and sin is s (q0 + 16 s + q1 T), T = s (s + k): k as a polynomial of
+    degree 2 wants it for the cosine, 16 for what is left of the sine's then. Where either is 1 it is
+    exact, less what rounding may add.
+    """
+    at = lambda s: sqrt(mpf(1) / 16 - s)
+    cosine = series_free(lambda s: sin(2 * pi * at(s)) / at(s), 0, mpf(1) / 16, n=28)
+    sine = series_free(lambda s: cos(2 * pi * at(s)) / s, 0, mpf(1) / 16, n=28)
+    c, errors = sollya(f"""
+display = dyadic!; prec = 300!;
+c = {sollya_sum(cosine)}; s = {sollya_sum(sine)}; hi = 1/16; one = 1 - 1b-20; c0 = 4 * one;
+free = fpminimax(c, [|1, 2|], [|SG...|], [hi / 32; hi], floating, relative, c0);
+k = round(coeff(free, 1) / coeff(free, 2), SG, RN);
+p = fpminimax(c, [|x^2 + k * x|], [|SG...|], [hi / 32; hi], floating, relative, c0);
+t = hi * (hi + k);
+q1 = coeff(fpminimax(s, [|x^2 + k * x - t|], [|SG...|], [0; hi - hi / 32], floating, relative, 16 * one - 1 + 16 * x), 2);
+q0 = round(16 * one - 1 - q1 * t, SG, RD);
+print("C", k); print("C", c0); print("C", coeff(p, 2)); print("C", q0); print("C", q1);
+print("E", sup(supnorm(p, c, [0; hi], relative, 2^(-10))));
+print("E", sup(supnorm(q0 + 16 * x + q1 * (x^2 + k * x), s, [0; hi], relative, 2^(-10))));
+""")
+    print(f"fast: azimuth: relative errors 2^{mp.nstr(errors[0], 4)} and 2^{mp.nstr(errors[1], 4)}", flush=True)
+    return c, errors
+
+
 def fit(proxy, interval, wanted, k, one_at_zero):
     """Sollya's polynomial of least degree with a relative error below 2^wanted."""
     lo, hi = (mp.nstr(mpf(v), 40) for v in interval)
-    formula = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(proxy))
     form = "[|SG...|], [lo; hi], floating, relative" if k is None else "kinds(n), [lo; hi], fixed, relative"
     powers, part, start = "n", "", "lo"
     if one_at_zero:
         # Beside 0 there is no choice left, which Remez's exchange does not bear.
         form = form.replace("kinds(n)", "kinds(n - 1)")
         powers, part, start = "[|1,...,n|]", ", 1", "lo + (hi - lo) / 32"
-    script = f"""
+    coefficients, errors = sollya(f"""
 display = dyadic!; prec = 300!;
-f = horner({formula}); lo = {lo}; hi = {hi}; found = 0;
+f = {sollya_sum(proxy)}; lo = {lo}; hi = {hi}; found = 0;
 procedure kinds(n) {{ var l, i; l = [|{(k or 0) + 16}|]; for i from 2 to n do {{ l = l :. {(k or 0) + 16}; }}; return l :. {k or 0}; }};
 for n from {1 if not one_at_zero else 2} to 9 do {{
   if (found == 0) then {{
@@ -106,20 +149,8 @@ for n from {1 if not one_at_zero else 2} to 9 do {{
     }};
   }};
 }};
-"""
-    out = subprocess.run(["sollya"], input=script, capture_output=True, text=True).stdout
-    coefficients, error = [], None
-    for line in out.splitlines():
-        if line[:2] in ("C ", "E "):
-            m, _, e = line[2:].strip().partition("b")
-            value = mpf(int(m)) * mpf(2) ** int(e or 0)
-            if line[0] == "C":
-                coefficients.append(value)
-            else:
-                error = mp.log(value, 2)
-    if not coefficients or error is None:
-        sys.exit("sollya found no polynomial:\n" + out[:2000])
-    return coefficients, error
+""")
+    return coefficients, errors[0]
 
 
 def check_range(name, c, interval, k):
@@ -164,6 +195,15 @@ def write(series_free, newton, text):
             inner = ", ".join(str(v + 2**15) for v in whole[1:-1])
             lines += [f"pub(crate) const {name}: FixedPoint<{len(c) - 2}> = FixedPoint {{ "
                       f"first: {whole[0]}, inner: [{inner}], last: {int(c[-1] * 2**k)} }};"]
+    (k, *pairs), errors = azimuth(series_free)
+    lines += ["", "/// Sine and cosine of 2 pi u are of T = s (s + AZIMUTH_SHIFT), s = u (1/2 - u), u <= 1/2.",
+              f"pub(crate) const AZIMUTH_SHIFT: f32 = {text(k, 24)};"]
+    for name, doc, pair, error in (
+        ("AZIMUTH_COS", "cos(2 pi u) / (1/4 - u) in T", pairs[:2], errors[0]),
+        ("AZIMUTH_SIN", "sin(2 pi u) / s - 16 s in T", pairs[2:], errors[1]),
+    ):
+        lines += ["", f"/// {doc}; relative error 2^{mp.nstr(error, 4)}",
+                  f"pub(crate) const {name}: [f32; 2] = [{text(pair[0], 24)}, {text(pair[1], 24)}];"]
     path = "src/arithmetic/fast/coefficients.rs"
     with open(path, "w") as out:
         out.write("\n".join(lines) + "\n")

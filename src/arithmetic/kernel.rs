@@ -61,9 +61,7 @@ pub trait Kernel: Scalar {
     fn from_end(a: Self) -> Self::Wide;
     /// (cos θ, |sin θ|) for |θ| ≤ π/2.
     fn at_angle(theta: Self) -> CosSin<Self::Wide>;
-    /// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8.
-    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self>;
-    /// (cos, sin) at u turns, 0 ≤ u ≤ 1, or NaN.
+    /// (cos, sin) at u turns, 0 ≤ u ≤ 1; of other numbers some, of NaN NaN.
     fn at_turn(u: Self) -> CosSin<Self>;
     /// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ ½: cos is that of the angle from the axis.
     fn half_turn(p: Self) -> CosSin<Self>;

@@ -13,7 +13,7 @@ use crate::{CosSin, Tails};
 pub enum Azimuth<T: Real> {
     /// Random bits.
     Word(<T as Tier>::TurnBits),
-    /// Turns in \[0, 1\], or NaN.
+    /// Turns in \[0, 1\]; beside NaN tails any number.
     Turn(T),
 }
 

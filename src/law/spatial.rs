@@ -189,9 +189,22 @@ pub trait Spatial<T: Real>: Law<T> {
 
     /// The direction at cdf of θ = `u[0]` and azimuth φ = `u[1]` turns: for stratified or
     /// low-discrepancy points. NaN outside \[0, 1\]². Of `Precise` each component is rounded once.
+    ///
+    /// A loop over an array of pairs becomes one of vectors. In a function that is generic over the
+    /// law pass `[u[0], u[1]]`: a pair of `f32` that is handed on whole halves the vectors there.
     #[inline(always)]
     fn warp_direction(&self, u: [T; 2]) -> [T; 3] {
-        at_pair(self, u[0], u[1])
+        self.warp_pair(u[0], u[1])
+    }
+
+    /// [`warp_direction`](Spatial::warp_direction) of two numbers. An array of two `f32` is passed
+    /// as an integer of 64 bits, which halves a loop's vectors; what only calls this is expanded
+    /// in its caller before that.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn warp_pair(&self, u: T, v: T) -> [T; 3] {
+        let (u, turn) = T::probabilities(u, v);
+        self.warp_spherical(Tails::at_lower(u), Azimuth::Turn(turn))
     }
 
     /// [`warp_direction`](Spatial::warp_direction) of each pair of `u`: a slice for each component.
@@ -206,7 +219,7 @@ pub trait Spatial<T: Real>: Law<T> {
             (u[0], u[1]),
             out,
             #[inline(always)]
-            |(u, v)| self.warp_direction([u, v]),
+            |(u, v)| self.warp_pair(u, v),
         )
     }
 
@@ -219,11 +232,4 @@ pub trait Spatial<T: Real>: Law<T> {
         let turn = if turn >= T::ONE { T::ZERO } else { turn };
         [p.abs(), turn.abs()]
     }
-}
-
-/// [`warp_direction`](Spatial::warp_direction) of two numbers.
-#[inline(always)]
-fn at_pair<T: Real, L: Spatial<T> + ?Sized>(law: &L, u: T, v: T) -> [T; 3] {
-    let turn = Tails::from_lower(v).lower();
-    law.warp_spherical(Tails::from_lower(u), Azimuth::Turn(turn))
 }

@@ -21,11 +21,13 @@ impl<T: Number> LawVisitor<T> for Borders {
         let outside = [f64::NAN, f64::INFINITY, -1.0, 2.0].map(T::of);
         let is_nan = |x: T| x.wide().is_nan();
         for beyond in outside {
-            let of_theta = law.warp_direction([beyond, T::of(0.25)]);
-            assert!(of_theta.into_iter().all(is_nan), "{id}: {of_theta:?}");
-            let [x, _, z] = law.warp_direction([T::of(0.25), beyond]);
-            assert!(is_nan(x) && is_nan(z), "{id}: azimuth {beyond:?}");
+            for u in [[beyond, T::of(0.25)], [T::of(0.25), beyond]] {
+                let d = law.warp_direction(u);
+                assert!(d.into_iter().all(is_nan), "{id} at {u:?}: {d:?}");
+            }
         }
+        let [zero, below] = [0.0, -0.0].map(|x| law.warp_direction([T::of(x); 2]).map(T::wide));
+        assert_eq!(zero, below, "{id} at -0");
     }
 }
 

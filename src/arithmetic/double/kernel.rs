@@ -15,6 +15,14 @@ use crate::arithmetic::native::turn::into_quadrant;
 use crate::scalar::Scalar;
 use crate::{CosSin, Tails};
 
+impl Double {
+    /// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8.
+    #[inline]
+    pub(crate) fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
+        into_quadrant(quadrant, angle::at_eighth(x))
+    }
+}
+
 impl Kernel for Double {
     type Wide = Double;
     type Cosine = CosSin<Self>;
@@ -65,10 +73,6 @@ impl Kernel for Double {
     #[inline]
     fn at_angle(theta: Self) -> CosSin<Self> {
         angle::at_angle(theta.hi)
-    }
-    #[inline]
-    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
-        into_quadrant(quadrant, angle::at_eighth(x))
     }
     #[inline]
     fn at_turn(u: Self) -> CosSin<Self> {

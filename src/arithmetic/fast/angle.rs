@@ -1,8 +1,9 @@
 //! Angles to (cos, sin) and back.
 
-use super::coefficients::{ATAN, COS, EIGHTH_COS, EIGHTH_SIN, HALF_TURN, SIN};
+use super::coefficients::{ATAN, AZIMUTH_COS, AZIMUTH_SHIFT, AZIMUTH_SIN, COS, HALF_TURN, SIN};
 use super::fixed::{at_most_one, horner};
 use crate::arithmetic::native::sqrt::unusual;
+use crate::scalar::BY_SELECTS;
 use core::f32::consts::{FRAC_PI_2, PI};
 
 /// π/2 less the `f32` nearest to it.
@@ -26,11 +27,35 @@ pub(crate) fn sin_cos(theta: f32) -> (f32, f32) {
     (eta * horner(eta * eta, &COS), a * horner(a * a, &SIN))
 }
 
-/// (cos 2πx, sin 2πx) for |x| ≤ 1/8.
-#[inline]
-pub(crate) fn eighth_turn(x: f32) -> (f32, f32) {
-    let v = x * x;
-    (horner(v, &EIGHTH_COS), x * horner(v, &EIGHTH_SIN))
+/// (cos 2πu, sin 2πu) for 0 ≤ u ≤ 1, neither beyond 1.
+///
+/// With m = min(u, 1 − u) and p = m (½ − u), cos is (¼ − m)(c₀ + c₁T) and sin p (q₀ + 16 s + q₁T),
+/// s = |p|, T = s (s + k). All three zeros are factors, which lose no digits and have their signs,
+/// so that no quadrant is told, and both share the polynomials' first product. Of subnormal u the
+/// sine is not exact.
+#[inline(always)]
+pub(crate) fn turn(u: f32) -> (f32, f32) {
+    turn_by::<BY_SELECTS>(u)
+}
+
+#[inline(always)]
+pub(super) fn turn_by<const SELECTS: bool>(u: f32) -> (f32, f32) {
+    let m = if SELECTS {
+        let rest = 1.0 - u;
+        if u < rest { u } else { rest }
+    } else if u.to_bits() as i32 <= 0.5f32.to_bits() as i32 {
+        u
+    } else {
+        1.0 - u
+    };
+    let p = m * (0.5 - u);
+    let s = p.abs();
+    let t = s * (s + AZIMUTH_SHIFT);
+    // By the exponent; a sum with q₀ is the same where s is 0 or subnormal.
+    let sixteen_s = f32::from_bits(s.to_bits().wrapping_add(4 << 23));
+    let [c0, c1] = AZIMUTH_COS;
+    let [q0, q1] = AZIMUTH_SIN;
+    ((0.25 - m) * (c0 + c1 * t), p * ((q0 + sixteen_s) + q1 * t))
 }
 
 /// (cos, sin) of the angle πp from an end, 0 ≤ p ≤ 1/2: cos is that of the angle from the axis.

@@ -95,12 +95,6 @@ pub(crate) const COS: [f32; 4] = [0.99999905, -0.1666555, 0.008311862, -0.000184
 /// sin(pi x) / x in x^2, x <= 1/2; relative error 2^-13.17
 pub(crate) const HALF_TURN: [f32; 3] = [3.1412528, -5.145805, 2.3266373];
 
-/// sin(2 pi x) / x in x^2, |x| <= 1/8; relative error 2^-19.33
-pub(crate) const EIGHTH_SIN: [f32; 3] = [6.283176, -41.3311, 79.81175];
-
-/// cos(2 pi x) in x^2, |x| <= 1/8; relative error 2^-16.37
-pub(crate) const EIGHTH_COS: [f32; 3] = [0.9999882, -19.726788, 62.906235];
-
 /// atan x / x in x^2, |x| <= 1; relative error 2^-15.02
 pub(crate) const ATAN: [f32; 5] = [0.99997, -0.33170065, 0.18521503, -0.09192573, 0.023863038];
 
@@ -122,3 +116,12 @@ pub(crate) const TAIL_OF_SINE: [f32; 6] = [
     0.3535474,
     -0.09049177,
 ];
+
+/// Sine and cosine of 2 pi u are of T = s (s + AZIMUTH_SHIFT), s = u (1/2 - u), u <= 1/2.
+pub(crate) const AZIMUTH_SHIFT: f32 = 0.43093058;
+
+/// cos(2 pi u) / (1/4 - u) in T; relative error 2^-12.9
+pub(crate) const AZIMUTH_COS: [f32; 2] = [3.9999962, 74.00809];
+
+/// sin(2 pi u) / s - 16 s in T; relative error 2^-13.02
+pub(crate) const AZIMUTH_SIN: [f32; 2] = [12.567881, 78.86349];

@@ -1,5 +1,7 @@
 //! Fixed-point polynomials, and floats put together from integers.
 
+use crate::scalar::BY_SELECTS;
+
 /// A polynomial of x in Q16: the leading coefficient in Qk, the others in Q(k + 16), the inner ones
 /// with the half unit that rounds their sum to Qk.
 ///
@@ -47,7 +49,7 @@ pub(crate) fn truncated(x: f32, places: u32) -> i32 {
 /// x, or 1 where an error has put x beyond it; NaN as it is.
 #[inline(always)]
 pub(crate) const fn at_most_one(x: f32) -> f32 {
-    if cfg!(target_pointer_width = "64") {
+    if BY_SELECTS {
         // In this form a minimum, which is one instruction.
         return if 1.0 < x { 1.0 } else { x };
     }

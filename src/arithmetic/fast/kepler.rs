@@ -10,8 +10,8 @@ use super::coefficients::{
     TAIL_OF_SINE,
 };
 use super::fixed::{FixedPoint, at_most_one, horner, leading_30, leading_31, truncated};
-use super::root::{BY_SELECTS, cbrt_by};
-use crate::scalar::Scalar;
+use super::root::cbrt_by;
+use crate::scalar::{BY_SELECTS, Scalar};
 
 /// Nearer tail of the disk's law at |θ| = a ≤ π/2.
 #[inline]

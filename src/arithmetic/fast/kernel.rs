@@ -9,8 +9,7 @@ use crate::arithmetic::logarithmic::{self, Logarithmic};
 use crate::arithmetic::native::format::Native;
 use crate::arithmetic::native::pair::Pair;
 use crate::arithmetic::native::trig;
-use crate::arithmetic::native::turn::{into_quadrant, nearest_quarter};
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 use crate::{CosSin, Tails};
 
 #[inline(always)]
@@ -91,13 +90,8 @@ impl Kernel for Fast<f32> {
         fast(angle::sin_cos(theta.0))
     }
     #[inline(always)]
-    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
-        into_quadrant(quadrant, fast(angle::eighth_turn(x.0)))
-    }
-    #[inline(always)]
     fn at_turn(u: Self) -> CosSin<Self> {
-        let (quadrant, x) = nearest_quarter(u.0);
-        Self::at_quadrant(quadrant, Fast(x))
+        fast(angle::turn(u.0))
     }
     #[inline(always)]
     fn half_turn(p: Self) -> CosSin<Self> {
@@ -143,7 +137,7 @@ impl Kernel for Fast<f32> {
     #[inline(always)]
     fn power_times(k: Self, at: CosSin<Self>, scale: Self, factor: Self) -> Self {
         let c = scale * factor;
-        if !root::BY_SELECTS {
+        if !BY_SELECTS {
             return logarithmic::power_times(k, at, c);
         }
         let power = Self::exp_times(Self::ln_cos_power(k, at), c);
@@ -157,7 +151,7 @@ impl Kernel for Fast<f32> {
     }
     #[inline(always)]
     fn power_tails(n: Self, at: CosSin<Self>) -> (Self, Self) {
-        if !root::BY_SELECTS {
+        if !BY_SELECTS {
             return logarithmic::power_tails(n, at);
         }
         let a = Self::ln_cos_power(n, at);
@@ -190,7 +184,7 @@ impl Logarithmic for Fast<f32> {
     fn ln_cos_power(k: Self, at: CosSin<Self>) -> Self {
         // Beside the axis −k·sin²θ/2, in an order that does not underflow for a k as large as
         // 1/sin²θ.
-        Fast(root::choose::<{ root::BY_SELECTS }>(
+        Fast(root::choose::<{ BY_SELECTS }>(
             at.sin.0 < 1e-15,
             || -(k * at.sin * at.sin * Self::HALF).0,
             || (k * Self::ln_cos(at)).0,

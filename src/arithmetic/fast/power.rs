@@ -5,10 +5,10 @@
 
 use super::coefficients::{EXP2, EXP2_M1, LN};
 use super::fixed::{horner, leading_31};
-use super::root::{BY_SELECTS, UP, choose};
+use super::root::{UP, choose};
 use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::sqrt::unusual;
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
 /// (m, e) with x = m·2ᵉ, m from √½ to √2, for normal x > 0.

@@ -4,14 +4,10 @@
 use super::coefficients::CBRT;
 use crate::arithmetic::native::float::Float;
 use crate::arithmetic::native::sqrt::unusual;
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 
 /// 2²⁴: makes a subnormal number normal.
 pub(crate) const UP: f32 = 16_777_216.0;
-
-/// Whether rare cases are selected, as loops of vectors need, not branched to: on 32-bit processors
-/// a product may be a routine. Always the same bits.
-pub(crate) const BY_SELECTS: bool = cfg!(target_pointer_width = "64");
 
 /// `a` if `first`, else `b`: by a mask, with both at hand, or by a branch.
 #[inline(always)]

@@ -7,11 +7,11 @@
 use super::coefficients::LN_SHORT;
 use super::fixed::horner;
 use super::power::{Exponent, NEAR_ZERO, float, split};
-use super::root::{BY_SELECTS, UP, choose};
+use super::root::{UP, choose};
 use crate::Tails;
 use crate::arithmetic::native::f32::power_of_two;
 use crate::arithmetic::native::sqrt::unusual;
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 
 /// What n ≥ 1 needs for it, worked out once.

@@ -14,7 +14,7 @@ use super::{angle, coefficients, fixed, kepler, power, root, uniform};
 use crate::Tails;
 use crate::arithmetic::native::f32::power_of_two;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use reference::{cos, end, eta, ln_cos, sin, tail};
+use reference::{cos, end, eta, ln_cos, sin, sin_turn, tail};
 use std::{println, vec::Vec};
 
 /// Every float of the domain has a relative error below 2^bound; `dense` is the part taken whole.
@@ -69,10 +69,9 @@ const ROWS: &[Row] = &[
     row("cbrt", -14.7, (TINY, LARGE), (1.0, 8.0), root::cbrt, libm::cbrt),
     row("sin_cos: cos", -19.7, (TINY, END), (0.01, END), |x| angle::sin_cos(x).0, libm::cos),
     row("sin_cos: sin", -13.1, (TINY, END), (0.01, END), |x| angle::sin_cos(-x).1, libm::sin),
-    row("eighth_turn: cos", -16.3, (TINY, 0.125), (1e-3, 0.125),
-        |x| angle::eighth_turn(-x).0, |x| libm::cos(TAU * x)),
-    row("eighth_turn: sin", -19.2, (TINY, 0.125), (1e-3, 0.125),
-        |x| angle::eighth_turn(x).1, |x| libm::sin(TAU * x)),
+    row("turn: cos", -12.8, (TINY, 1.0), (1e-3, 1.0), |u| angle::turn(u).0,
+        |u| sin_turn(u + 0.25)),
+    row("turn: sin", -13.0, (4.0 * TINY, 1.0), (1e-3, 1.0), |u| angle::turn(u).1, sin_turn),
     row("half_turn: cos", -13.1, (TINY, 0.5), (1e-3, 0.5),
         |p| angle::half_turn(p).0, |p| libm::sin(PI * p)),
     row("half_turn: sin", -13.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),

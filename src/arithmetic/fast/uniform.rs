@@ -2,9 +2,8 @@
 
 use super::coefficients::{TURN_COS, TURN_SIN};
 use super::fixed::{leading_30, leading_31};
-use super::root::BY_SELECTS;
 use crate::arithmetic::native::uniform::f32::{apart, down};
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 
 /// A nearer tail and whether it is the upper one: the top bit is the side, the others but for the
 /// last give n, and (2n + 1)·2⁻³² is the tail.

@@ -4,20 +4,15 @@ use super::coefficients_f32::{CONSTANTS, TABLE};
 use super::float::Float;
 use super::format::Native;
 use super::pair::Pair;
+use super::probability;
 use super::sqrt::sqrt;
 use super::table::Table;
 use super::turn::select_if_odd;
 use crate::arithmetic::constants::Constants;
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 
 pub(crate) const fn power_of_two(n: i32) -> f32 {
     f32::from_bits(((127 + n) as u32) << 23)
-}
-
-/// Of −0, and of what is no probability.
-#[cold]
-fn zero_or_nan(x: f32) -> f32 {
-    if x == 0.0 { 0.0 } else { f32::NAN }
 }
 
 impl Scalar for f32 {
@@ -57,24 +52,14 @@ impl Scalar for f32 {
         self.to_bits() >> 31
     }
 
-    /// By its bits: in vectors one comparison for two, and on boards no routine.
-    ///
-    /// Not or-ed with the comparison's ones: where registers are short a compiler makes a vector of
-    /// ones anew for each element, which on AVX-512 waits for what its register held (`Disk` took
-    /// twice the time).
     #[inline(always)]
     fn probability(self) -> f32 {
-        const ONE: u32 = 1.0f32.to_bits();
-        const NAN: u32 = f32::NAN.to_bits();
-        if cfg!(target_pointer_width = "64") {
-            let bits = (self + 0.0).to_bits();
-            return f32::from_bits(bits | if bits > ONE { NAN } else { 0 });
-        }
-        if self.to_bits() <= ONE {
-            self
-        } else {
-            zero_or_nan(self)
-        }
+        probability::of_f32::<BY_SELECTS>(self)
+    }
+
+    #[inline(always)]
+    fn probabilities(a: f32, b: f32) -> (f32, f32) {
+        probability::pair_of_f32::<BY_SELECTS>(a, b)
     }
 
     #[inline(always)]
@@ -88,7 +73,7 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn swap_factors_if_odd(n: u32, a: f32, b: f32) -> (f32, f32) {
-        if !cfg!(target_pointer_width = "64") {
+        if !BY_SELECTS {
             return Self::swap_if_odd(n, a, b);
         }
         let (a, b) = select_if_odd(n, a.to_bits(), b.to_bits());

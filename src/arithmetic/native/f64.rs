@@ -4,10 +4,11 @@ use super::coefficients_f64::{CONSTANTS, TABLE};
 use super::float::Float;
 use super::format::Native;
 use super::pair::Pair;
+use super::probability::pair_of_f64;
 use super::table::Table;
 use super::turn::select_if_odd;
 use crate::arithmetic::constants::Constants;
-use crate::scalar::Scalar;
+use crate::scalar::{BY_SELECTS, Scalar};
 
 pub(crate) const fn power_of_two(n: i32) -> f64 {
     f64::from_bits((n.wrapping_add(1023) as u64) << 52)
@@ -51,6 +52,11 @@ impl Scalar for f64 {
     }
 
     #[inline(always)]
+    fn probabilities(a: f64, b: f64) -> (f64, f64) {
+        pair_of_f64::<BY_SELECTS>(a, b)
+    }
+
+    #[inline(always)]
     fn swap_if_odd(n: u32, a: f64, b: f64) -> (f64, f64) {
         let difference = (a.to_bits() ^ b.to_bits()) & u64::from(n & 1).wrapping_neg();
         (
@@ -61,7 +67,7 @@ impl Scalar for f64 {
 
     #[inline(always)]
     fn swap_factors_if_odd(n: u32, a: f64, b: f64) -> (f64, f64) {
-        if !cfg!(target_pointer_width = "64") {
+        if !BY_SELECTS {
             return Self::swap_if_odd(n, a, b);
         }
         let (a, b) = select_if_odd(n, a.to_bits(), b.to_bits());

@@ -105,10 +105,6 @@ impl<T: Native> Kernel for T {
         trig::at_angle(theta)
     }
     #[inline(always)]
-    fn at_quadrant(quadrant: u32, x: T) -> CosSin<T> {
-        turn::at_quadrant(quadrant, x)
-    }
-    #[inline(always)]
     fn at_turn(u: T) -> CosSin<T> {
         turn::at_turn(u)
     }

@@ -16,6 +16,7 @@ pub(crate) mod moment;
 pub(crate) mod pair;
 pub(crate) mod poly;
 pub(crate) mod power;
+pub(crate) mod probability;
 pub(crate) mod root;
 pub(crate) mod sqrt;
 pub(crate) mod table;

@@ -55,6 +55,21 @@ fn disk_end(p: Scaled) -> Scaled {
     Kernel::cbrt(p * Scaled::CONSTANTS.twelve_pi) * Scaled::HALF
 }
 
+impl Scaled {
+    /// (cos, sin) at `quadrant`/4 + x turns, |x| ≤ 1/8.
+    pub(crate) fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
+        let at = if x.is_below(-HALF_DIGITS) {
+            CosSin {
+                cos: Self::ONE,
+                sin: x * Self::CONSTANTS.two_pi,
+            }
+        } else {
+            pair(angle::at_eighth(x.double()))
+        };
+        into_quadrant(quadrant, at)
+    }
+}
+
 impl Kernel for Scaled {
     type Wide = Scaled;
     type Cosine = CosSin<Self>;
@@ -109,17 +124,6 @@ impl Kernel for Scaled {
             };
         }
         pair(angle::at_angle(theta.double().hi))
-    }
-    fn at_quadrant(quadrant: u32, x: Self) -> CosSin<Self> {
-        let at = if x.is_below(-HALF_DIGITS) {
-            CosSin {
-                cos: Self::ONE,
-                sin: x * Self::CONSTANTS.two_pi,
-            }
-        } else {
-            pair(angle::at_eighth(x.double()))
-        };
-        into_quadrant(quadrant, at)
     }
     fn at_turn(u: Self) -> CosSin<Self> {
         let quadrant = (u.double().hi * 4.0 + 0.5) as u32;

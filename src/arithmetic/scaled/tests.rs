@@ -10,7 +10,10 @@ use crate::{CosSin, Tails};
 use std::{vec, vec::Vec};
 
 /// Every kernel at x < ½, in an arithmetic.
-fn kernels<W: Logarithmic + Kernel<TailRoot = W>>(x: W) -> Vec<W> {
+fn kernels<W: Logarithmic + Kernel<TailRoot = W>>(
+    x: W,
+    at_quadrant: fn(u32, W) -> CosSin<W>,
+) -> Vec<W> {
     let pair = |at: CosSin<W>| [at.cos, at.sin];
     let steep = CosSin {
         cos: x,
@@ -49,7 +52,7 @@ fn kernels<W: Logarithmic + Kernel<TailRoot = W>>(x: W) -> Vec<W> {
     ];
     for at in [
         W::at_angle(x),
-        W::at_quadrant(3, x * W::QUARTER),
+        at_quadrant(3, x * W::QUARTER),
         W::at_turn(x),
         W::half_turn(x),
         W::disk_direction_at_tail(x),
@@ -66,10 +69,10 @@ fn agrees_with_double_double() {
     for e in 1..=200 {
         for part in [1.0, 1.37, 1.999] {
             let x = part * power_of_two(-1 - e);
-            let scaled = kernels(Scaled::new(Double::from_f64(x), 0));
+            let scaled = kernels(Scaled::new(Double::from_f64(x), 0), Scaled::at_quadrant);
             for (i, (s, d)) in scaled
                 .into_iter()
-                .zip(kernels(Double::from_f64(x)))
+                .zip(kernels(Double::from_f64(x), Double::at_quadrant))
                 .enumerate()
             {
                 let d = Scaled::from_double(d);

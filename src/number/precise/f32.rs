@@ -4,8 +4,8 @@ use super::Precise;
 use crate::arithmetic::double::Double;
 use crate::arithmetic::double::nearest::Grid;
 use crate::arithmetic::holds::Holds;
-use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::f64::power_of_two;
+use crate::arithmetic::native::turn::at_quadrant;
 use crate::arithmetic::native::uniform::f32::parts_of_turn;
 use crate::number::Real;
 use crate::number::tier::{Code, Margin, Tier};
@@ -126,7 +126,7 @@ impl Tier for Precise<f32> {
     #[inline]
     fn quick_turn_from_bits(bits: u32, _: Code) -> CosSin<f64> {
         let (quadrant, x) = turn(bits);
-        f64::at_quadrant(quadrant, x)
+        at_quadrant(quadrant, x)
     }
 
     #[inline]

@@ -4,7 +4,6 @@ use super::Precise;
 use crate::arithmetic::double::Double;
 use crate::arithmetic::double::nearest::{Grid, is_moderate};
 use crate::arithmetic::holds::Holds;
-use crate::arithmetic::kernel::Kernel;
 use crate::arithmetic::native::f64::power_of_two;
 use crate::arithmetic::native::uniform::f64::parts_of_turn;
 use crate::arithmetic::scaled::Scaled;

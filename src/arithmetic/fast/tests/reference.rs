@@ -10,6 +10,15 @@ pub(super) fn sin(x: f32) -> f32 {
     libm::sin(f64::from(x)) as f32
 }
 
+/// sin 2πu for 0 ≤ u ≤ 1¼, relatively accurate about its zeros.
+pub(super) fn sin_turn(u: f64) -> f64 {
+    match u {
+        ..=0.25 => libm::sin(TAU * u),
+        ..=0.75 => -libm::sin(TAU * (u - 0.5)),
+        _ => libm::sin(TAU * (u - 1.0)),
+    }
+}
+
 pub(super) fn end(x: f64) -> f64 {
     (FRAC_PI_2 - x) + 6.123233995736766e-17
 }

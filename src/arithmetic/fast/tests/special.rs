@@ -8,7 +8,7 @@ use crate::arithmetic::fast::{angle, kepler, power, root};
 /// Nothing panics or leaves its range, whatever the input; NaN in, NaN out.
 #[test]
 fn total() {
-    let ones: [fn(f32) -> f32; 12] = [
+    let ones: [fn(f32) -> f32; 13] = [
         root::cbrt,
         power::ln,
         super::exp,
@@ -17,7 +17,8 @@ fn total() {
         kepler::angle_at_tail,
         |x| angle::sin_cos(x).0,
         |x| angle::sin_cos(x).1,
-        |x| angle::eighth_turn(x).0,
+        |x| angle::turn(x).0,
+        |x| angle::turn(x).1,
         |x| angle::half_turn(x).1,
         |x| kepler::direction_at_tail(x).0,
         |x| kepler::direction_at_tail(x).1,
@@ -79,6 +80,9 @@ fn special_values() {
     assert_eq!(kepler::direction_at_tail(0.0).0, 0.0);
     assert_eq!(kepler::direction_at_tail(0.5), (1.0, 0.0));
     assert_eq!(kepler::angle_at_tail(0.0), END);
+    let quarters = [0.0, 0.25, 0.5, 0.75, 1.0].map(angle::turn);
+    assert!(quarters.iter().all(|&(cos, sin)| cos * sin == 0.0));
+    assert!(quarters[0].1 == 0.0 && quarters[1].0 == 0.0 && quarters[2].1 == 0.0);
     assert!(angle::sin_cos(END).0 > 0.0 && kepler::tail_at_angle(END) > 0.0);
 }
 
@@ -92,6 +96,12 @@ fn nothing_rounds_to_more_than_one() {
         assert!(root::cbrt(x) <= 1.0, "{x}");
         let p = x / 2.0;
         assert!(kepler::direction_at_tail(p).0 <= 1.0, "{p}");
+        for u in [1.0 - x, x / 4.0, p, 0.5 + p, x] {
+            let (cos, sin) = angle::turn(u);
+            assert!(cos.abs() <= 1.0 && sin.abs() <= 1.0, "{u}");
+        }
+        let (cos, sin) = (angle::half_turn(p).0, angle::half_turn(x / 4.0).1);
+        assert!(cos <= 1.0 && sin <= 1.0, "{p}");
     }
 }
 

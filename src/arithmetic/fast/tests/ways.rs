@@ -2,6 +2,7 @@
 
 use super::TailRoot;
 use crate::Tails;
+use crate::arithmetic::fast::angle::turn_by;
 use crate::arithmetic::fast::kepler::{angle_at_tail_by, direction_at_tail_by};
 use crate::arithmetic::fast::power::{exp_times_by, ln_by, ln_cos_by, one_minus_exp_by};
 use crate::arithmetic::fast::root::{cbrt_by, cube_warp_by, fourth_power_warp_by};
@@ -51,6 +52,7 @@ fn tails(p: Tails<f32>) {
         fourth_power_warp_by::<true>(lower, upper),
         fourth_power_warp_by::<false>(lower, upper),
     );
+    pair(turn_by::<true>(lower), turn_by::<false>(lower));
     let (p, _) = p.nearer();
     pair(
         direction_at_tail_by::<true>(p),
