@@ -95,7 +95,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "target/release/accuracy_cost")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/measured/mitsuba.csv")
-    parser.add_argument("--rounds", type=int, default=7)
+    parser.add_argument("--rounds", type=int, default=25)
     args = parser.parse_args()
     if "DRJIT_LIBLLVM_PATH" not in os.environ:
         sys.exit("DRJIT_LIBLLVM_PATH is not set; expected the path of LLVM's shared library")

@@ -45,14 +45,23 @@ fn uniforms<T: Number>() -> [Rc<[T]>; 2] {
 
 /// A direction of each pair, in a loop that the compiler may make what it can of.
 pub(crate) fn over_pairs<T: Number>(f: impl Fn([T; 2]) -> [T; 3] + Copy + 'static) -> Cell {
+    // As two numbers: to a generic function, unlike to a law's own, a pair of `f32` goes as an
+    // integer of 64 bits, which halves the vectors.
+    over_arrays(move |pairs, out| {
+        for (out, &[u, v]) in out.iter_mut().zip(pairs) {
+            *out = f([u, v]);
+        }
+    })
+}
+
+/// The same, of a loop that is written out.
+pub(crate) fn over_arrays<T: Number>(
+    f: impl Fn(&[[T; 2]], &mut [[T; 3]]) + Copy + 'static,
+) -> Cell {
     let ([u, v], mut out) = (uniforms::<T>(), vec![[T::ZERO; 3]; SLICE]);
     let pairs: Rc<[[T; 2]]> = u.iter().zip(&*v).map(|(&u, &v)| [u, v]).collect();
     cell(move |range| {
-        // As two numbers: to a generic function, unlike to a law's own, a pair of `f32` goes as an
-        // integer of 64 bits, which halves the vectors.
-        for (out, &[u, v]) in out.iter_mut().zip(black_box(&pairs[range])) {
-            *out = f([u, v]);
-        }
+        f(black_box(&pairs[range]), &mut out);
         black_box(&mut out);
     })
 }

@@ -169,13 +169,8 @@ fn spatial<T: Number, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>,
     });
     let cell = over_pairs(move |u| l.warp_direction(u));
     add::<T>(list, id, DIRECTION, cell, Some(measure));
-    add::<T>(
-        list,
-        id,
-        PARTS,
-        Cell::drawing(Parts(PhantomData::<T>)),
-        None,
-    );
+    let parts = Parts(l, PhantomData::<T>);
+    add::<T>(list, id, PARTS, Cell::drawing(parts), None);
 }
 
 #[derive(Clone, Copy)]
@@ -188,19 +183,21 @@ struct Around<T, L> {
     normal: [T; 3],
 }
 
+/// Of a sample the words and the azimuth.
 #[derive(Clone, Copy)]
-struct Parts<T>(PhantomData<T>);
+struct Parts<T, L>(L, PhantomData<T>);
 
-impl<T: Number> Draw for Parts<T> {
-    type Out = [T; 4];
+impl<T: Number, L: Spatial<T> + Copy + 'static> Draw for Parts<T, L> {
+    type Out = [T; 2];
     #[inline(always)]
-    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 4] {
-        let tails = uniform::tails::<T, _>(rng);
-        let azimuth = uniform::azimuth::<T, _>(rng);
-        [tails.lower(), tails.upper(), azimuth.cos, azimuth.sin]
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> [T; 2] {
+        let Ok(theta) = self.0.try_draw_theta(rng);
+        black_box(theta);
+        let CosSin { cos, sin } = uniform::azimuth::<T, _>(rng);
+        [cos, sin]
     }
-    fn cos(out: &[T; 4]) -> f64 {
-        out[1].wide()
+    fn cos(out: &[T; 2]) -> f64 {
+        out[0].wide()
     }
 }
 

@@ -10,7 +10,7 @@ use kit::{Id, catalogue};
 pub(crate) const EXPONENT: f64 = 20.0;
 
 /// What a `sample` in space takes one at a time before any law: its uniform and its azimuth.
-pub(crate) const PARTS: &str = "uniform and azimuth";
+pub(crate) const PARTS: &str = "words and azimuth";
 
 /// The operation whose time that of `operation` is compared with, one at a time; a function of
 /// slices has its bits, too.

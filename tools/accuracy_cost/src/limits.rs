@@ -61,8 +61,8 @@ fn ratio(a: Option<&Row>, b: Option<&Row>) -> Option<f64> {
     a.zip(b).map(|(a, b)| a.time / b.time)
 }
 
-/// What a call of the coarse type cannot be without: of a draw in space its words and azimuth, of a
-/// loop over pairs its roots and their stores.
+/// What a call of the coarse type cannot be without: of a draw its words and azimuth, of a loop
+/// over pairs its roots and their stores.
 fn part<'a>(
     rows: &'a [Row],
     law: &str,
@@ -71,6 +71,8 @@ fn part<'a>(
     width: Option<&str>,
 ) -> Option<&'a Row> {
     if operation == SAMPLE {
+        // A draw of the disk is of as many.
+        let law = if law == "Disk" { "Lambert" } else { law };
         return ours(rows, [law, PARTS, coarse], None);
     }
     let width = width.unwrap_or(vectors(Width::Compiled));
@@ -226,8 +228,8 @@ pub(crate) fn section(
          Multiples of a time in the same run, and what they are not to exceed: {} of {} are reached. Against the\n\
          quickest peer of the study in the same format, or the one named; `cargo run --release -p accuracy_cost -- limits`\n\
          measures these alone. Mitsuba's by `tools/mitsuba_peer.py`. *A part alone*: what the coarse type takes of the same\n\
-         time for what it cannot be without: of a draw in space its words and azimuth, of a loop over pairs its roots and\n\
-         their stores (`warp_slice`).\n",
+         time for what it cannot be without: of a draw its words and azimuth, of a loop over pairs its roots and their stores\n\
+         (`warp_slice`).\n",
         count("reached"),
         limits.len()
     )?;

@@ -121,7 +121,7 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
     writeln!(
         out,
         "\n## Directions against the quickest peer\n\n\
-         Time of `sample` as a multiple of that of the quickest peer of the same format. *Uniform and azimuth*: what a\n\
+         Time of `sample` as a multiple of that of the quickest peer of the same format. *Words and azimuth*: what a\n\
          direct sampler in space spends before any law, one at a time, in the plain type and the coarse one; slices go\n\
          below it."
     )?;
@@ -133,7 +133,7 @@ fn quickest(out: &mut String, rows: &[Row], laws: &[String], types: &[String]) -
             .try_for_each(|name| write!(out, " `{name}` |"))?;
         writeln!(
             out,
-            " uniform and azimuth |\n|---|---|{}---|",
+            " words and azimuth |\n|---|---|{}---|",
             "---|".repeat(types.len())
         )?;
         for law in laws {
