@@ -73,9 +73,9 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
             .position(|(name, _)| *name == what)
             .map(|i| bounds.remove(i).1);
         println!("{what}: {n:.1}");
-        if bound.is_some_and(|bound| n > bound) {
+        if let Some(most) = bound.filter(|&most| n > most) {
             lost.push(format!(
-                "{what}: {n:.1} instructions an element; expected at most {bound:?}"
+                "{what}: {n:.1} instructions an element; expected at most {most}"
             ));
         }
     }
