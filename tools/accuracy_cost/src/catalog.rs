@@ -164,7 +164,8 @@ fn spatial<T: Number, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>,
     let measure: Measure = Box::new(move |_, n| {
         // On the peers' grid, as a caller's uniforms are.
         errors::of_map::<T::Raw, 3>(id, false, Uniforms::Grid, n, |u| {
-            l.warp_direction([T::of_raw(u), T::of(0.3)]).map(T::raw)
+            l.warp_direction([u, errors::azimuth(u)].map(T::of_raw))
+                .map(T::raw)
         })
     });
     let cell = over_pairs(move |u| l.warp_direction(u));

@@ -83,6 +83,12 @@ fn both_sides<T: Format>(from: Uniforms, n: u32) -> Vec<T> {
     p.iter().copied().chain(far).collect()
 }
 
+/// An azimuth in turns for each u, all around: its errors show in a direction's length.
+pub fn azimuth<T: Format>(u: T) -> T {
+    let spread = u.bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40;
+    T::of(spread as f64 / f64::from(1 << 24))
+}
+
 /// Errors of a map from the cdf (or, if `upper`, the sf) to a direction.
 pub fn of_map<T: Format, const N: usize>(
     law: Id,

@@ -99,7 +99,9 @@ where
     F: Fn(T, T) -> [T; 3] + Copy + 'static,
 {
     mapped::<T, F>(list, about, f, || {
-        Box::new(move |from, n| errors::of_map(about.law, true, from, n, |u| f(u, T::of(0.3))))
+        Box::new(move |from, n| {
+            errors::of_map(about.law, true, from, n, |u| f(u, errors::azimuth(u)))
+        })
     });
 }
 
