@@ -15,10 +15,10 @@ words, as their share of the result calls for.
 
 import struct
 import subprocess
-import sys
 
 import fast_coefficients
 import root_coefficients
+import sollya
 from mpmath import mp, mpf, asin, atan, atanh, cos, expm1, ln, log1p, pi, sin, sqrt
 
 mp.dps = 110
@@ -249,30 +249,11 @@ def text(x, bits):
     return mantissa + ("" if "." in mantissa else ".0") + (f"e{int(exponent)}" if exponent else "")
 
 
-def read_fit(script):
-    """Coefficients and log2 of the error that a script prints."""
-    out = subprocess.run(["sollya"], input="display=dyadic!;\n" + script, capture_output=True, text=True).stdout
-    cs, err = [], None
-    for line in out.splitlines():
-        if line.startswith("C "):
-            v = line[2:].strip()
-            m, _, e = v.partition("b")
-            cs.append(mpf(int(m)) * mpf(2) ** int(e or 0))
-        elif line.startswith("E "):
-            v = line[2:].strip()
-            m, _, e = v.partition("b")
-            err = mp.log(mpf(int(m)) * mpf(2) ** int(e or 0), 2)
-    if not cs:
-        sys.exit("sollya found no polynomial:\n" + out[:2000])
-    return cs, err
-
-
 def fit(coefficients, bottom, top, target, bits):
     """Sollya's polynomial of least degree with a relative error below the target."""
-    proxy = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(coefficients))
     script = f"""
 prec = 400!;
-f = horner({proxy});
+f = {sollya.polynomial(coefficients)};
 span = [{mp.nstr(bottom, 40)}; {mp.nstr(top, 40)}];
 found = 0;
 for n from 2 to {12 if bits == 24 else 34} do {{
@@ -287,7 +268,8 @@ for n from 2 to {12 if bits == 24 else 34} do {{
   }};
 }};
 """
-    return read_fit(script)
+    cs, [err] = sollya.printed(script)
+    return cs, err
 
 
 def reciprocal_root():
@@ -296,7 +278,7 @@ def reciprocal_root():
 p = fpminimax(1 / sqrt(1 + x), %d, [|16...|], [0; 1], fixed, relative);
 for i from 0 to %d do { print("C", coeff(p, i)); };
 """ % (root_coefficients.DEGREE, root_coefficients.DEGREE)
-    return root_coefficients.improved([int(c * 2**16) for c in read_fit(script)[0]])
+    return root_coefficients.improved([int(c * 2**16) for c in sollya.printed(script)[0]])
 
 
 def pair(x, bits):
@@ -391,10 +373,9 @@ def fit_double(coefficients, top, share):
     # A step of Horner's rule multiplies what is beyond its coefficient: the share of the next one.
     full = sum(s > MIDDLE_SHARE for s in shares[1:])
     pairs = sum(s > PLAIN_SHARE for s in shares)
-    proxy = "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(coefficients))
     script = f"""
 prec = 600!;
-f = horner({proxy});
+f = {sollya.polynomial(coefficients)};
 top = {mp.nstr(top, 40)};
 found = 0;
 for n from {pairs + 2} to 30 do {{
@@ -411,7 +392,7 @@ for n from {pairs + 2} to 30 do {{
   }};
 }};
 """
-    cs, err = read_fit(script)
+    cs, [err] = sollya.printed(script)
     return cs[:full], cs[full:pairs], cs[pairs:], err
 
 

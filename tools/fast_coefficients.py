@@ -10,8 +10,8 @@ to 1e-30.
 """
 
 import subprocess
-import sys
 
+import sollya
 from mpmath import mp, mpf, asin, atan, atanh, cbrt, cos, pi, sin, sqrt
 
 
@@ -78,27 +78,6 @@ def specs(newton):
 ONE_AT_ZERO = ("CBRT", "EXP2")
 
 
-def sollya_sum(proxy):
-    return "horner(" + "+".join(f"({mp.nstr(c, 60)})*x^{i}" for i, c in enumerate(proxy)) + ")"
-
-
-def sollya(script):
-    """The numbers that a script prints after "C", and those after "E" as errors' binary logarithms."""
-    out = subprocess.run(["sollya"], input=script, capture_output=True, text=True).stdout
-    coefficients, errors = [], []
-    for line in out.splitlines():
-        if line[:2] in ("C ", "E "):
-            m, _, e = line[2:].strip().partition("b")
-            value = mpf(int(m)) * mpf(2) ** int(e or 0)
-            if line[0] == "C":
-                coefficients.append(value)
-            else:
-                errors.append(mp.log(value, 2))
-    if not coefficients or not errors:
-        sys.exit("sollya found no polynomial:\n" + out[:2000])
-    return coefficients, errors
-
-
 def azimuth(series_free):
     """Sine and cosine of 2 pi u by one product of s = u (1/2 - u), u <= 1/2.
 
@@ -109,9 +88,9 @@ def azimuth(series_free):
     at = lambda s: sqrt(mpf(1) / 16 - s)
     cosine = series_free(lambda s: sin(2 * pi * at(s)) / at(s), 0, mpf(1) / 16, n=28)
     sine = series_free(lambda s: cos(2 * pi * at(s)) / s, 0, mpf(1) / 16, n=28)
-    c, errors = sollya(f"""
-display = dyadic!; prec = 300!;
-c = {sollya_sum(cosine)}; s = {sollya_sum(sine)}; hi = 1/16; one = 1 - 1b-20; c0 = 4 * one;
+    c, errors = sollya.printed(f"""
+prec = 300!;
+c = {sollya.polynomial(cosine)}; s = {sollya.polynomial(sine)}; hi = 1/16; one = 1 - 1b-20; c0 = 4 * one;
 free = fpminimax(c, [|1, 2|], [|SG...|], [hi / 32; hi], floating, relative, c0);
 k = round(coeff(free, 1) / coeff(free, 2), SG, RN);
 p = fpminimax(c, [|x^2 + k * x|], [|SG...|], [hi / 32; hi], floating, relative, c0);
@@ -135,9 +114,9 @@ def fit(proxy, interval, wanted, k, one_at_zero):
         # Beside 0 there is no choice left, which Remez's exchange does not bear.
         form = form.replace("kinds(n)", "kinds(n - 1)")
         powers, part, start = "[|1,...,n|]", ", 1", "lo + (hi - lo) / 32"
-    coefficients, errors = sollya(f"""
-display = dyadic!; prec = 300!;
-f = {sollya_sum(proxy)}; lo = {lo}; hi = {hi}; found = 0;
+    coefficients, errors = sollya.printed(f"""
+prec = 300!;
+f = {sollya.polynomial(proxy)}; lo = {lo}; hi = {hi}; found = 0;
 procedure kinds(n) {{ var l, i; l = [|{(k or 0) + 16}|]; for i from 2 to n do {{ l = l :. {(k or 0) + 16}; }}; return l :. {k or 0}; }};
 for n from {1 if not one_at_zero else 2} to 9 do {{
   if (found == 0) then {{

@@ -14,9 +14,9 @@ Those of the 16-bit type have small sums alone: every product is one of 16 by 16
 """
 
 import subprocess
-import sys
 import textwrap
 
+import sollya
 from coefficients import newton, series_free
 from mpmath import mp, mpf, asin, atanh, cbrt, cos, expm1, ln, pi, sin, sqrt
 
@@ -84,10 +84,9 @@ SHORT = ("RECIP_SQRT", "RECIP")
 def fit(proxy, interval, wanted, k):
     """Sollya's polynomial of least degree with an absolute error below 2^wanted."""
     lo, hi = (mp.nstr(mpf(v), 40) for v in interval)
-    formula = "+".join(f"({mp.nstr(c, 50)})*x^{i}" for i, c in enumerate(proxy))
-    script = f"""
-display = dyadic!; prec = 300!;
-f = horner({formula}); lo = {lo}; hi = {hi}; found = 0;
+    coefficients, [error] = sollya.printed(f"""
+prec = 300!;
+f = {sollya.polynomial(proxy)}; lo = {lo}; hi = {hi}; found = 0;
 procedure kinds(n) {{ var l, i; l = [|{k}|]; for i from 1 to n do {{ l = l :. {k}; }}; return l; }};
 for n from 2 to 16 do {{
   if (found == 0) then {{
@@ -99,19 +98,7 @@ for n from 2 to 16 do {{
     }};
   }};
 }};
-"""
-    out = subprocess.run(["sollya"], input=script, capture_output=True, text=True).stdout
-    coefficients, error = [], None
-    for line in out.splitlines():
-        if line[:2] in ("C ", "E "):
-            m, _, e = line[2:].strip().partition("b")
-            value = mpf(int(m)) * mpf(2) ** int(e or 0)
-            if line[0] == "C":
-                coefficients.append(value)
-            else:
-                error = mp.log(value, 2)
-    if not coefficients or error is None:
-        sys.exit("sollya found no polynomial:\n" + out[:2000])
+""")
     return coefficients, error
 
 
