@@ -47,3 +47,9 @@ pub(crate) fn probabilities<T: Number>() -> [T; COUNT] {
         T::of(if i % 2 == 0 { p } else { 1.0 - p })
     })
 }
+
+/// Points of the square: each probability as the cdf of θ, another one as the azimuth.
+pub(crate) fn square<T: Number>() -> [[T; 2]; COUNT] {
+    let p = probabilities();
+    core::array::from_fn(|i| [p[i], p[COUNT - 1 - i]])
+}

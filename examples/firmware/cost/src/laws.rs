@@ -1,7 +1,7 @@
 //! The library's operations: law × operation in one number type.
 
 use crate::Meter;
-use crate::inputs::{angles, pairs, probabilities};
+use crate::inputs::{angles, pairs, probabilities, square};
 use coslobe::{CosSin, Law, Planar, Spatial};
 use kit::{Id, LawVisitor, Number, PlanarLaw, SpatialLaw, catalogue};
 use rand_pcg::Pcg32;
@@ -77,6 +77,8 @@ fn spatial<T: Number, L: Spatial<T>>(meter: &mut Meter, name: &'static str, l: &
     law(meter, l, false);
     let theta = angles::<T>(false);
     meter.call("pdf_solid_angle", l, &theta, L::pdf_solid_angle, |_, x| x);
+    let (u, nothing) = (square::<T>(), |_: &L, [u, v]: [T; 2]| [u, v, u]);
+    meter.call("warp_direction", l, &u, L::warp_direction, nothing);
     meter.draw::<Pcg32, _, _>(l, L::sample, |_, _| [T::of(0.0); 3]);
     meter.draw::<XorShiftRng, _, _>(l, L::sample, |_, _| [T::of(0.0); 3]);
     let normal = [0.48, 0.6, 0.64].map(T::of);

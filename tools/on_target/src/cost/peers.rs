@@ -2,7 +2,7 @@
 
 use kit::accuracy::reference::{self, Direction, Id};
 use kit::formulas::{Libm, Maths, Micromath, Plane, Space};
-use kit::study::errors::{Errors, of_angle, of_map, of_quantile};
+use kit::study::errors::{Errors, azimuth, of_angle, of_map, of_quantile};
 use kit::study::inputs::{Uniforms, angles};
 
 /// Uniforms in each octave that an error is the worst of, as in `tools/accuracy_cost`.
@@ -45,7 +45,7 @@ fn in_plane<M: Maths + 'static>(law: Plane, id: Id, operation: &str) -> Option<E
 fn in_space<M: Maths + 'static>(law: Space, id: Id, operation: &str) -> Option<Errors> {
     Some(match operation {
         "sample" => of_map::<f32, 3>(id, true, Uniforms::Grid, PER_OCTAVE, |u| {
-            law.direction::<M>(u, 0.3)
+            law.direction::<M>(u, azimuth(u))
         }),
         "quantile" => of_quantile::<f32>(id, PER_OCTAVE, |p| law.quantile::<M>(p)),
         "pdf" => pdf(id, |x| law.pdf::<M>(x)),
