@@ -31,8 +31,8 @@ pub(crate) fn sin_cos(theta: f32) -> (f32, f32) {
 ///
 /// With m = min(u, 1 − u) and p = m (½ − u), cos is (¼ − m)(c₀ + c₁T) and sin p (q₀ + 16 s + q₁T),
 /// s = |p|, T = s (s + k). All three zeros are factors, which lose no digits and have their signs,
-/// so that no quadrant is told, and both share the polynomials' first product. Of subnormal u the
-/// sine is not exact.
+/// so that no quadrant is told, and both share the polynomials' first product. Where u is below
+/// 2⁻¹²⁵ the sine has fewer digits.
 #[inline(always)]
 pub(crate) fn turn(u: f32) -> (f32, f32) {
     turn_by::<BY_SELECTS>(u)

@@ -71,7 +71,7 @@ const ROWS: &[Row] = &[
     row("sin_cos: sin", -13.1, (TINY, END), (0.01, END), |x| angle::sin_cos(-x).1, libm::sin),
     row("turn: cos", -12.8, (TINY, 1.0), (1e-3, 1.0), |u| angle::turn(u).0,
         |u| sin_turn(u + 0.25)),
-    row("turn: sin", -13.0, (4.0 * TINY, 1.0), (1e-3, 1.0), |u| angle::turn(u).1, sin_turn),
+    row("turn: sin", -13.0, (2.0 * TINY, 1.0), (1e-3, 1.0), |u| angle::turn(u).1, sin_turn),
     row("half_turn: cos", -13.1, (TINY, 0.5), (1e-3, 0.5),
         |p| angle::half_turn(p).0, |p| libm::sin(PI * p)),
     row("half_turn: sin", -13.1, (TINY, HALF_DOWN), (1e-3, HALF_DOWN),

@@ -50,7 +50,7 @@ pub(crate) fn pair_of_f32<const SELECTS: bool>(a: f32, b: f32) -> (f32, f32) {
     }
 }
 
-/// The same.
+/// The same, by numbers: SSE2 does not compare integers of 64 bits.
 #[expect(clippy::manual_range_contains, reason = "a range's jumps are slower")]
 #[inline(always)]
 pub(crate) fn pair_of_f64<const SELECTS: bool>(a: f64, b: f64) -> (f64, f64) {

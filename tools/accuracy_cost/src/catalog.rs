@@ -10,6 +10,7 @@ use kit::study::cell::{Cell, Draw, generator, generator_cells};
 use kit::study::errors;
 use kit::study::inputs::{Uniforms, angles, pairs, probabilities};
 use kit::{Id, LawVisitor, Number, NumberVisitor, PlanarLaw, SpatialLaw};
+use std::cell::RefCell;
 use std::hint::black_box;
 use std::marker::PhantomData;
 
@@ -149,9 +150,10 @@ fn spatial<T: Number, L: Spatial<T> + Copy + 'static>(list: &mut Vec<Contender>,
     let theta = angles::<T::Raw>(false);
     let solid = Cell::of(&theta, move |x| l.pdf_solid_angle(T::of_raw(x)));
     add::<T>(list, id, "pdf_solid_angle", solid, None);
-    // Some azimuth: sin θ is judged as the direction holds it.
-    let azimuth = uniform::azimuth::<T, _>(&mut generator());
+    // Sin θ is judged as the direction holds it, at azimuths all around.
+    let rng = RefCell::new(generator());
     let measure = directions(id, l, move |at: CosSin<T>| {
+        let azimuth = uniform::azimuth::<T, _>(&mut *rng.borrow_mut());
         [at.sin * azimuth.cos, at.cos, at.sin * azimuth.sin]
     });
     let cell = Cell::drawing(InSpace(l, PhantomData::<T>));

@@ -9,7 +9,7 @@ use kit::{Id, catalogue};
 /// Exponent of the power law that is measured.
 pub(crate) const EXPONENT: f64 = 20.0;
 
-/// What a `sample` in space takes one at a time before any law: its uniform and its azimuth.
+/// What a `sample` in space takes one at a time before any law: its words and its azimuth.
 pub(crate) const PARTS: &str = "words and azimuth";
 
 /// The operation whose time that of `operation` is compared with, one at a time; a function of

@@ -71,7 +71,7 @@ fn part<'a>(
     width: Option<&str>,
 ) -> Option<&'a Row> {
     if operation == SAMPLE {
-        // A draw of the disk is of as many.
+        // The disk's are as many as Lambert's.
         let law = if law == "Disk" { "Lambert" } else { law };
         return ours(rows, [law, PARTS, coarse], None);
     }
